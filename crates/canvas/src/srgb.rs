@@ -1,0 +1,163 @@
+//! Which number in a file stands for how much light?
+//!
+//! The eye tells dark tones apart better than light ones, so a file of 256 steps spends more of them on the dark end. The curve
+//! between light and file is that of IEC 61966-2-1 (sRGB): nearly a power of 2.4, with a straight piece near black. Light is what
+//! may be added and averaged; encoded values may not. Half the light of white, for one, is not step 128 but step 188:
+//!
+//! ```
+//! use canvas::srgb;
+//! assert_eq!(srgb::to_u8(0.5), 188);
+//! assert!((srgb::from_u8(128) - 0.2159).abs() < 1e-4); // step 128 is a fifth of the light
+//! ```
+//!
+//! [`encode`] is also where colours are clamped to [0, 1], once, on their way out (E8). Read [`mod@crate::codec`] next.
+
+/// Light below this is encoded by the straight piece of the curve, above it by the power (IEC 61966-2-1).
+const KNEE_LINEAR: f32 = 0.003_130_8;
+/// The same place on the encoded axis.
+const KNEE_ENCODED: f32 = 0.040_45;
+/// The slope of the straight piece.
+const SLOPE: f32 = 12.92;
+/// The power piece is (1 + 0.055) · x^(1/2.4) − 0.055: stretched and shifted to meet the straight one.
+const OFFSET: f32 = 0.055;
+/// The exponent of the power piece.
+const GAMMA: f32 = 2.4;
+
+/// The encoded value, in [0, 1], of an amount of light of one channel.
+///
+/// 12.92 · x up to x = 0.0031308, and 1.055 · x^(1/2.4) − 0.055 above (IEC 61966-2-1). This is the one place where colours are
+/// clamped (E8).
+///
+/// - `linear`: light, proportional to power; 0 is black, 1 is the white of the file. Less than 0 counts as 0, more than 1 as 1,
+///   infinities likewise; NaN counts as 0, for a file has no step for it.
+///
+/// ```
+/// use canvas::srgb::encode;
+/// assert!((encode(0.2) - 0.4845).abs() < 1e-4);
+/// assert_eq!(encode(1.96), 1.0); // the slide's .8(.2+1)+1
+/// ```
+#[must_use]
+pub fn encode(linear: f32) -> f32 {
+    let x = clamped(linear);
+    if x <= KNEE_LINEAR {
+        SLOPE * x
+    } else {
+        (1.0 + OFFSET) * x.powf(1.0 / GAMMA) - OFFSET
+    }
+}
+
+/// The light, in [0, 1], of an encoded value of one channel: the inverse of [`encode`].
+///
+/// y / 12.92 up to y = 0.04045, and ((y + 0.055) / 1.055)^2.4 above (IEC 61966-2-1).
+///
+/// - `encoded`: in [0, 1] as a file gives it. Other values are clamped as in [`encode`], NaN counts as 0.
+///
+/// ```
+/// use canvas::srgb::decode;
+/// assert!((decode(0.4845) - 0.2).abs() < 1e-4);
+/// ```
+#[must_use]
+pub fn decode(encoded: f32) -> f32 {
+    let y = clamped(encoded);
+    if y <= KNEE_ENCODED {
+        y / SLOPE
+    } else {
+        ((y + OFFSET) / (1.0 + OFFSET)).powf(GAMMA)
+    }
+}
+
+/// The nearest of the 256 steps of an 8-bit file for an amount of light; clamped as in [`encode`].
+#[must_use]
+pub fn to_u8(linear: f32) -> u8 {
+    nearest_step(linear, u8::MAX.into()) as u8
+}
+
+/// The light that a step of an 8-bit file stands for. [`to_u8`] gives the step back, exactly.
+#[must_use]
+pub fn from_u8(step: u8) -> f32 {
+    decode(f32::from(step) / f32::from(u8::MAX))
+}
+
+/// The nearest of the 65,536 steps of a 16-bit file for an amount of light; clamped as in [`encode`].
+#[must_use]
+pub fn to_u16(linear: f32) -> u16 {
+    nearest_step(linear, u16::MAX)
+}
+
+/// The light that a step of a 16-bit file stands for. [`to_u16`] gives the step back, exactly.
+#[must_use]
+pub fn from_u16(step: u16) -> f32 {
+    decode(f32::from(step) / f32::from(u16::MAX))
+}
+
+/// In [0, 1]; `max` returns its other argument for NaN, which is why it comes first.
+#[allow(clippy::manual_clamp, reason = "f32::clamp would hand a NaN on")]
+fn clamped(value: f32) -> f32 {
+    value.max(0.0).min(1.0)
+}
+
+/// The encoded values are in [0, 1], so adding a half and cutting off is rounding to the nearest.
+fn nearest_step(linear: f32, last_step: u16) -> u16 {
+    (encode(linear) * f32::from(last_step) + 0.5) as u16
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn published_values_come_out() {
+        // Light 0.18 (a grey card) is 0.4613561 encoded; 0.001 lies on the straight piece.
+        assert!((encode(0.18) - 0.461_356_1).abs() < 1e-6);
+        assert!((encode(0.001) - 0.012_92).abs() < 1e-8);
+        assert_eq!((encode(0.0), encode(1.0)), (0.0, 1.0));
+        assert_eq!((decode(0.0), decode(1.0)), (0.0, 1.0));
+    }
+
+    #[test]
+    fn eight_bit_steps_of_known_light() {
+        let steps: Vec<u8> = [0.0, 0.0002, 0.01, 0.214, 0.5, 0.75, 1.0].map(to_u8).to_vec();
+        assert_eq!(steps, [0, 1, 25, 127, 188, 225, 255]);
+    }
+
+    #[test]
+    fn all_256_steps_survive_the_round_trip() {
+        assert!((0..=u8::MAX).all(|step| to_u8(from_u8(step)) == step));
+    }
+
+    #[test]
+    fn all_65536_steps_survive_the_round_trip() {
+        assert!((0..=u16::MAX).all(|step| to_u16(from_u16(step)) == step));
+    }
+
+    #[test]
+    fn an_8_bit_step_is_257_16_bit_steps() {
+        // 65535 / 255 = 257: PNG widens 8 to 16 bits in this way, and both must mean the same light.
+        assert!((0..=u8::MAX).all(|step| to_u16(from_u8(step)) == 257 * u16::from(step)));
+    }
+
+    #[test]
+    fn the_curve_rises_over_the_knee_without_a_step_back() {
+        // The two pieces meet at rounded constants; every f32 around the knee is tried.
+        let rises = |curve: fn(f32) -> f32, knee: f32| {
+            let (first, last) = ((knee * 0.999).to_bits(), (knee * 1.001).to_bits());
+            (first..last).all(|bits| curve(f32::from_bits(bits)) <= curve(f32::from_bits(bits + 1)))
+        };
+        assert!(rises(encode, KNEE_LINEAR));
+        assert!(rises(decode, KNEE_ENCODED));
+    }
+
+    #[test]
+    fn light_outside_the_file_is_clamped_and_nan_is_black() {
+        for (light, encoded) in [
+            (1.96, 1.0),
+            (f32::INFINITY, 1.0),
+            (-0.3, 0.0),
+            (f32::NEG_INFINITY, 0.0),
+            (f32::NAN, 0.0),
+        ] {
+            assert_eq!(encode(light), encoded, "encode({light})");
+            assert_eq!(decode(light), encoded, "decode({light})");
+        }
+    }
+}

@@ -1,0 +1,16 @@
+//! Which polygon does a pixel show? The nearest, by a depth buffer or by drawing from back to front.
+//!
+//! - [`clip`]: cuts off what lies before the near plane or beyond the far one, before the division by w.
+//! - [`screen`]: triangles on the screen, in fixed-point pixels.
+//! - [`mod@rasterize`]: the pixels of a triangle, each sample on a shared edge exactly once.
+//! - [`depth_buffer`]: the nearest depth so far, in 32, 24 or 16 bits (L16, L20).
+//! - [`painter`]: the painter's algorithm, occlusion cycles and what to do about them (L13, L14).
+//!
+//! Depth is canonical z, affine on the screen: near +1, far −1, **larger is nearer**. Pixels are (i, j), j upwards.
+
+#![forbid(unsafe_code)]
+
+pub mod painter;
+pub mod screen;
+
+pub use screen::{Fragment, ScreenTriangle, ScreenVertex};
