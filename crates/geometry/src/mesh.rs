@@ -84,7 +84,11 @@ impl Mesh {
     pub fn new(positions: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
         check_finite("position", &positions, |p| p.is_finite())?;
         check_indices("position", &triangles, positions.len())?;
-        Ok(Self { positions, triangles, ..Self::default() })
+        Ok(Self {
+            positions,
+            triangles,
+            ..Self::default()
+        })
     }
 
     /// The same mesh with these normals, which it brings to unit length. A zero normal stays zero, which means: none
@@ -210,7 +214,12 @@ impl Mesh {
     /// The smallest box around the triangles; positions that no triangle uses do not count.
     #[must_use]
     pub fn aabb(&self) -> Aabb {
-        Aabb::from_points(self.triangles.iter().flatten().map(|index| self.positions[*index as usize]))
+        Aabb::from_points(
+            self.triangles
+                .iter()
+                .flatten()
+                .map(|index| self.positions[*index as usize]),
+        )
     }
 
     /// The mesh moved by an affine map. Normals turn with the inverse transpose; a map that mirrors also turns each
@@ -223,12 +232,23 @@ impl Mesh {
         let turn = |t: &[u32; 3]| if mirrored { [t[0], t[2], t[1]] } else { *t };
         let turn_all = |triangles: &[[u32; 3]]| triangles.iter().map(turn).collect::<Vec<_>>();
 
-        let positions = self.positions.iter().map(|p| target_from_source.transform_point3(*p)).collect();
+        let positions = self
+            .positions
+            .iter()
+            .map(|p| target_from_source.transform_point3(*p))
+            .collect();
         let mut mesh = Self::new(positions, turn_all(&self.triangles))?;
         if let Some(normals) = &self.normals {
             let normal_matrix = normal_matrix(target_from_source);
-            let values = normals.values.iter().map(|n| (normal_matrix * *n).normalize_or_zero()).collect();
-            mesh = mesh.with_normals(Indexed { values, triangles: turn_all(&normals.triangles) })?;
+            let values = normals
+                .values
+                .iter()
+                .map(|n| (normal_matrix * *n).normalize_or_zero())
+                .collect();
+            mesh = mesh.with_normals(Indexed {
+                values,
+                triangles: turn_all(&normals.triangles),
+            })?;
         }
         if let Some(uv) = &self.texture_coordinates {
             mesh = mesh.with_texture_coordinates(Indexed {
@@ -270,7 +290,11 @@ pub fn normal_matrix(target_from_source: &Mat4) -> Mat3 {
         m.z_axis.cross(m.x_axis),
         m.x_axis.cross(m.y_axis),
     );
-    if m.determinant() < 0.0 { -cofactors } else { cofactors }
+    if m.determinant() < 0.0 {
+        -cofactors
+    } else {
+        cofactors
+    }
 }
 
 fn check_finite<T: std::fmt::Debug>(
@@ -280,14 +304,23 @@ fn check_finite<T: std::fmt::Debug>(
 ) -> Result<(), MeshError> {
     match values.iter().position(|v| !is_finite(v)) {
         None => Ok(()),
-        Some(index) => Err(MeshError::NotFinite { what, index, value: format!("{:?}", values[index]) }),
+        Some(index) => Err(MeshError::NotFinite {
+            what,
+            index,
+            value: format!("{:?}", values[index]),
+        }),
     }
 }
 
 fn check_indices(what: &'static str, triangles: &[[u32; 3]], count: usize) -> Result<(), MeshError> {
     for (triangle, corners) in triangles.iter().enumerate() {
         if let Some(&index) = corners.iter().find(|index| **index as usize >= count) {
-            return Err(MeshError::IndexOutOfRange { what, triangle, index, count });
+            return Err(MeshError::IndexOutOfRange {
+                what,
+                triangle,
+                index,
+                count,
+            });
         }
     }
     Ok(())

@@ -29,6 +29,9 @@ impl Sphere {
     /// The smallest box around the sphere.
     #[must_use]
     pub fn aabb(&self) -> Aabb {
-        Aabb { min: self.center - self.radius, max: self.center + self.radius }
+        Aabb {
+            min: self.center - self.radius,
+            max: self.center + self.radius,
+        }
     }
 }

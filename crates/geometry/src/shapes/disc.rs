@@ -23,8 +23,8 @@ pub fn disc(radius: f32, level: u32) -> Result<Mesh, ShapeError> {
     let rings = pieces("disc", level)?;
     let radius = f64::from(positive("disc", "radius", radius)?);
     let slices = 6 * rings;
-    let mut plate = Surface { normals: vec![DVec3::Y.as_vec3()], ..Surface::default() };
-    plate.positions.push(DVec3::ZERO.as_vec3());
+    let mut plate = Surface::default();
+    plate.point(DVec3::ZERO, DVec3::Y);
     plate.texture(0.5, 0.5);
     for ring in 1..=rings {
         for slice in 0..slices {
@@ -34,13 +34,26 @@ pub fn disc(radius: f32, level: u32) -> Result<Mesh, ShapeError> {
         }
     }
     let corner = |ring: u32, slice: u32| {
-        let position = if ring == 0 { 0 } else { 1 + (ring - 1) * slices + slice % slices };
-        Corner { position, normal: 0, texture: position }
+        let position = if ring == 0 {
+            0
+        } else {
+            1 + (ring - 1) * slices + slice % slices
+        };
+        Corner {
+            position,
+            normal: 0,
+            texture: position,
+        }
     };
     for ring in 0..rings {
         for slice in 0..slices {
             let (out, next) = (ring + 1, slice + 1);
-            plate.quad([corner(ring, slice), corner(out, slice), corner(out, next), corner(ring, next)]);
+            plate.quad([
+                corner(ring, slice),
+                corner(out, slice),
+                corner(out, next),
+                corner(ring, next),
+            ]);
         }
     }
     Ok(plate.into_mesh())

@@ -34,7 +34,10 @@ pub fn teapot(level: u32) -> Result<Mesh, ShapeError> {
     let mut pot = Surface::default();
     for row in 0..=cuts {
         for column in 0..=cuts {
-            pot.texture(f64::from(column) / f64::from(cuts), f64::from(row) / f64::from(cuts));
+            pot.texture(
+                f64::from(column) / f64::from(cuts),
+                f64::from(row) / f64::from(cuts),
+            );
         }
     }
     for part in PARTS {
@@ -54,7 +57,9 @@ fn patch(number: usize) -> BezierPatch {
     // A quarter turn about x takes z up to y up. It is a rotation, no mirror: left and right stay what they are.
     let y_up = |[x, y, z]: [f64; 3]| DVec3::new(x, z, -y);
     let point = |i: usize, j: usize| y_up(POINTS[usize::from(PATCHES[number][4 * i + j])]);
-    BezierPatch { control: std::array::from_fn(|i| std::array::from_fn(|j| point(i, j))) }
+    BezierPatch {
+        control: std::array::from_fn(|i| std::array::from_fn(|j| point(i, j))),
+    }
 }
 
 /// The points that a part already has, by the bits of their coordinates. Patches that share control points on a border
@@ -67,7 +72,11 @@ fn add_patch(pot: &mut Surface, welded: &mut Welded, patch: &BezierPatch, cuts: 
     for row in 0..=cuts {
         for column in 0..=cuts {
             let index = add_point(pot, welded, patch, at(row), at(column));
-            grid.push(Corner { position: index, normal: index, texture: row * (cuts + 1) + column });
+            grid.push(Corner {
+                position: index,
+                normal: index,
+                texture: row * (cuts + 1) + column,
+            });
         }
     }
     let corner = |row: u32, column: u32| grid[(row * (cuts + 1) + column) as usize];
@@ -75,7 +84,12 @@ fn add_patch(pot: &mut Surface, welded: &mut Welded, patch: &BezierPatch, cuts: 
         for column in 0..cuts {
             let (below, right) = (row + 1, column + 1);
             // Newell's patches turn ∂S/∂u × ∂S/∂v inwards, so fronts run along v first.
-            pot.quad([corner(row, column), corner(row, right), corner(below, right), corner(below, column)]);
+            pot.quad([
+                corner(row, column),
+                corner(row, right),
+                corner(below, right),
+                corner(below, column),
+            ]);
         }
     }
 }
@@ -85,7 +99,9 @@ fn add_point(pot: &mut Surface, welded: &mut Welded, patch: &BezierPatch, u: f64
     // Adding zero turns −0 into 0: two names of one number.
     let bits = p.as_vec3().to_array().map(|x| (x + 0.0).to_bits());
     *welded.entry(bits).or_insert_with(|| {
-        let inward = patch.normal(u, v).expect("no patch of the teapot lacks a surface");
+        let inward = patch
+            .normal(u, v)
+            .expect("no patch of the teapot lacks a surface");
         pot.point(p, -inward);
         pot.positions.len() as u32 - 1
     })
@@ -104,7 +120,9 @@ mod tests {
         assert_eq!(patch(4).point(1.0, 1.0), dvec3(0.0, 0.9, 2.0));
         // The middle of a curve is (P0 + 3 P1 + 3 P2 + P3) / 8: for the knob's profile r = (0, 0.8, 0, 0.2).
         let knob = patch(20).point(0.5, 0.0);
-        assert!((knob - dvec3(2.6 / 8.0, (3.15 + 3.0 * 3.15 + 3.0 * 2.85 + 2.7) / 8.0, 0.0)).length() < 1e-15);
+        assert!(
+            (knob - dvec3(2.6 / 8.0, (3.15 + 3.0 * 3.15 + 3.0 * 2.85 + 2.7) / 8.0, 0.0)).length() < 1e-15
+        );
     }
 
     #[test]
@@ -125,10 +143,17 @@ mod tests {
                 for (i, j) in (0..=4).flat_map(|i| (0..=4).map(move |j| (i, j))) {
                     let (u, v) = (f64::from(i) / 4.0, f64::from(j) / 4.0);
                     let n = patch.normal(u, v).unwrap();
-                    let bits = patch.point(u, v).as_vec3().to_array().map(|x| (x + 0.0).to_bits());
+                    let bits = patch
+                        .point(u, v)
+                        .as_vec3()
+                        .to_array()
+                        .map(|x| (x + 0.0).to_bits());
                     let first = *seen.entry(bits).or_insert(n);
                     // The control points are decimals of two to five digits, rounded to f64: 1e-9 is generous.
-                    assert!((first - n).length() < 1e-9, "{patch:?} at {u}, {v}: {first} and {n}");
+                    assert!(
+                        (first - n).length() < 1e-9,
+                        "{patch:?} at {u}, {v}: {first} and {n}"
+                    );
                 }
             }
         }
@@ -137,7 +162,10 @@ mod tests {
     #[test]
     fn every_index_of_the_table_is_used_and_in_range() {
         let mut used = [false; 290];
-        PATCHES.iter().flatten().for_each(|k| used[usize::from(*k)] = true);
+        PATCHES
+            .iter()
+            .flatten()
+            .for_each(|k| used[usize::from(*k)] = true);
         assert!(used.iter().all(|u| *u));
     }
 }

@@ -1,5 +1,7 @@
 //! The sphere cut along its meridians and parallels, like a globe.
 
+use glam::DVec3;
+
 use super::surface::{Corner, Surface, around_y};
 use super::{ShapeError, pieces};
 use crate::Mesh;
@@ -29,12 +31,21 @@ pub fn uv_sphere(level: u32) -> Result<Mesh, ShapeError> {
             _ if row == zones => 1 + (zones - 1) * slices,
             _ => 1 + (row - 1) * slices + column % slices,
         };
-        Corner { position, normal: position, texture: row * (slices + 1) + column }
+        Corner {
+            position,
+            normal: position,
+            texture: row * (slices + 1) + column,
+        }
     };
     for row in 0..zones {
         for column in 0..slices {
             let (below, right) = (row + 1, column + 1);
-            sphere.quad([corner(row, column), corner(below, column), corner(below, right), corner(row, right)]);
+            sphere.quad([
+                corner(row, column),
+                corner(below, column),
+                corner(below, right),
+                corner(row, right),
+            ]);
         }
     }
     Ok(sphere.into_mesh())
@@ -42,7 +53,6 @@ pub fn uv_sphere(level: u32) -> Result<Mesh, ShapeError> {
 
 /// North pole, parallels from north to south, south pole. The normal of a point is the point.
 fn add_points(sphere: &mut Surface, slices: u32, zones: u32) {
-    use glam::DVec3;
     sphere.point(DVec3::Y, DVec3::Y);
     for row in 1..zones {
         let (radius, height) = (std::f64::consts::PI * f64::from(row) / f64::from(zones)).sin_cos();
@@ -58,7 +68,13 @@ fn add_points(sphere: &mut Surface, slices: u32, zones: u32) {
 fn add_texture(sphere: &mut Surface, slices: u32, zones: u32) {
     for row in 0..=zones {
         // The triangle in slice k touches the north pole with corner k, the south pole with corner k + 1.
-        let shift = if row == 0 { 0.5 } else if row == zones { -0.5 } else { 0.0 };
+        let shift = if row == 0 {
+            0.5
+        } else if row == zones {
+            -0.5
+        } else {
+            0.0
+        };
         for column in 0..=slices {
             let u = (f64::from(column) + shift) / f64::from(slices);
             sphere.texture(u, 1.0 - f64::from(row) / f64::from(zones));
@@ -79,7 +95,10 @@ mod tests {
             let [a, b, c] = sphere.corner_texture_coordinates(k).unwrap();
             // The same turning sense on the map as on the sphere: not mirrored. And no triangle spans the seam.
             assert!((b - a).perp_dot(c - a) > 0.0, "triangle {k}");
-            assert!((a - b).abs().max((b - c).abs()).cmple(vec2(0.25, 0.25)).all(), "triangle {k}");
+            assert!(
+                (a - b).abs().max((b - c).abs()).cmple(vec2(0.25, 0.25)).all(),
+                "triangle {k}"
+            );
         }
     }
 }
