@@ -16,6 +16,7 @@
 
 pub mod aabb;
 pub mod mesh;
+pub mod obj;
 pub mod plane;
 pub mod ray;
 pub mod shapes;

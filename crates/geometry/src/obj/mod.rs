@@ -1,0 +1,145 @@
+//! How does a mesh from elsewhere come in? As Wavefront OBJ text, its materials as MTL text.
+//!
+//! [`parse`] tells the story: scan the text line by line, so that each defect is reported with its line and what to do
+//! about it (`scan`); let [tobj](https://docs.rs/tobj) read what passed; cut polygons into triangles (`polygon`);
+//! look the materials up (`mtl`).
+//!
+//! What is read: `v` (with w; vertex colours are left out), `vt`, `vn`, `f` with any number of corners, indices from
+//! either end, `usemtl`, `mtllib`, comments, continued lines, the line ends of every system. All objects and groups
+//! become one mesh; smoothing groups are ignored, since normals say it better. Lines, points, curves and textures are
+//! left out with a warning.
+
+mod material;
+mod message;
+mod mtl;
+mod polygon;
+mod scan;
+mod text;
+
+pub use material::ObjMaterial;
+pub use message::{ObjError, ObjWarning};
+
+use glam::{Vec2, Vec3};
+
+use crate::{Indexed, Mesh};
+use message::Warnings;
+use mtl::Library;
+use scan::Scan;
+
+/// A mesh and its materials.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Import {
+    /// All triangles of the file, in its order. A corner without a normal has the zero normal, so that
+    /// [`Mesh::corner_normals`] gives `None` there; a corner without texture coordinates has (0, 0).
+    pub mesh: Mesh,
+    /// The materials that [`Mesh::material`] points to. Number 0 is always the default, for faces without a material.
+    pub materials: Vec<ObjMaterial>,
+    /// What was left out or replaced, in the order of the file.
+    pub warnings: Vec<ObjWarning>,
+}
+
+/// Reads OBJ text. `load_mtl` is asked for the bytes of each material file that the text names; if it fails (with a
+/// reason), that is a warning and the faces get the default material.
+///
+/// - `source`: the name of the text in messages, usually its path.
+///
+/// # Errors
+/// [`ObjError`] with file, line, problem and remedy: text that is not UTF-8; numbers that are none, not finite or out of
+/// the range of f32; faces with fewer than three corners or with indices that point nowhere; no faces at all; an MTL
+/// file with such defects.
+///
+/// ```
+/// let text = "mtllib pot.mtl\nv 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\nusemtl clay\nf 1 2 3 -1\n";
+/// let import = geometry::obj::parse(text.as_bytes(), "pot.obj", &mut |name| match name {
+///     "pot.mtl" => Ok(b"newmtl clay\nKd 0.8 0.4 0.2\n".to_vec()),
+///     other => Err(format!("no file {other}")),
+/// })?;
+/// assert_eq!(import.mesh.len(), 2);
+/// assert_eq!(import.materials[import.mesh.material(0) as usize].name, "clay");
+///
+/// let error = geometry::obj::parse(b"v 0 0 0\nf 1 2 3\n", "bad.obj", &mut |_| Ok(Vec::new())).unwrap_err();
+/// assert_eq!((error.file.as_str(), error.line), ("bad.obj", Some(2)));
+/// # Ok::<(), geometry::obj::ObjError>(())
+/// ```
+pub fn parse(
+    bytes: &[u8],
+    source: &str,
+    load_mtl: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
+) -> Result<Import, ObjError> {
+    let mut warnings = Warnings::default();
+    let scan = Scan::of(bytes, source, &mut warnings)?;
+    let model = read(&scan.plain, source)?;
+    let polygons = polygon::triangulate(&model, &scan, &mut warnings)?;
+    let library = Library::load(&scan, load_mtl, &mut warnings)?;
+    let numbers = library.numbers_of(&scan, &mut warnings);
+    let materials = polygons
+        .faces
+        .iter()
+        .map(|face| scan.faces[*face].material.map_or(0, |used| numbers[used]));
+    let mesh = mesh_of(&model, &scan, &polygons.corners, materials.collect())?;
+    Ok(Import {
+        mesh,
+        materials: library.materials,
+        warnings: warnings.into_vec(),
+    })
+}
+
+/// Lets tobj read the plain text. The scan has seen to it that there is one model and nothing to refuse.
+fn read(plain: &str, source: &str) -> Result<tobj::Mesh, ObjError> {
+    let options = tobj::LoadOptions {
+        ignore_points: true,
+        ignore_lines: true,
+        ..tobj::LoadOptions::default()
+    };
+    let no_materials = |_: &std::path::Path| Err(tobj::LoadError::GenericFailure);
+    let refused = |reason: String| {
+        ObjError::new(
+            source,
+            None,
+            format!("the OBJ reader refuses the text: {reason}"),
+            "export the mesh anew",
+        )
+    };
+    let (models, _) = tobj::load_obj_buf(&mut plain.as_bytes(), &options, no_materials)
+        .map_err(|reason| refused(reason.to_string()))?;
+    let model = models
+        .into_iter()
+        .next()
+        .ok_or_else(|| refused("no faces".to_owned()))?;
+    Ok(model.mesh)
+}
+
+/// The mesh whose triangles have the given corners, each a place in the lists of indices of `model`.
+fn mesh_of(
+    model: &tobj::Mesh,
+    scan: &Scan,
+    corners: &[[usize; 3]],
+    materials: Vec<u32>,
+) -> Result<Mesh, ObjError> {
+    let look_up = |indices: &[u32]| {
+        corners
+            .iter()
+            .map(|t| t.map(|corner| indices[corner]))
+            .collect::<Vec<_>>()
+    };
+    let in_threes = |numbers: &[f32]| numbers.chunks_exact(3).map(Vec3::from_slice).collect::<Vec<_>>();
+    let in_twos = |numbers: &[f32]| numbers.chunks_exact(2).map(Vec2::from_slice).collect::<Vec<_>>();
+
+    let mut mesh = Mesh::new(in_threes(&model.positions), look_up(&model.indices));
+    if scan.has_normals {
+        let normals = Indexed {
+            values: in_threes(&model.normals),
+            triangles: look_up(&model.normal_indices),
+        };
+        mesh = mesh.and_then(|mesh| mesh.with_normals(normals));
+    }
+    if scan.has_texture {
+        let texture = Indexed {
+            values: in_twos(&model.texcoords),
+            triangles: look_up(&model.texcoord_indices),
+        };
+        mesh = mesh.and_then(|mesh| mesh.with_texture_coordinates(texture));
+    }
+    mesh.and_then(|mesh| mesh.with_materials(materials))
+        .map_err(|reason| ObjError::new(&scan.source, None, reason.to_string(), "export the mesh anew"))
+}

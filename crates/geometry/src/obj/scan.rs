@@ -1,0 +1,370 @@
+//! Is each line of the OBJ text sound? And what does it come to, written plainly?
+//!
+//! tobj reports no lines, fills in indices that are missing and splits a mesh at every change of material. So the scan
+//! checks each line, remembers the materials of the faces itself, and writes a plain text that says the same with
+//! nothing but three- and two-number vertices and faces with all three indices counted from the start. Where a corner
+//! has no texture coordinates or no normal it names the first of the plain text, which are zeros put there for that.
+
+use std::collections::HashMap;
+use std::fmt::Write;
+
+use super::message::{ObjError, Warnings, quoted};
+use super::text::{self, number};
+
+/// What a sound OBJ text says.
+pub(super) struct Scan {
+    /// The name of the text in messages.
+    pub(super) source: String,
+    /// The vertices and faces for tobj.
+    pub(super) plain: String,
+    /// One entry for each face of the plain text.
+    pub(super) faces: Vec<Face>,
+    /// The names of used materials, with the first line that uses them.
+    pub(super) used: Vec<Reference>,
+    /// The material files, with the first line that names them.
+    pub(super) libraries: Vec<Reference>,
+    /// Whether any corner has a normal.
+    pub(super) has_normals: bool,
+    /// Whether any corner has texture coordinates.
+    pub(super) has_texture: bool,
+}
+
+/// What the scan knows of a face and tobj does not.
+pub(super) struct Face {
+    pub(super) line: usize,
+    /// Its place in [`Scan::used`].
+    pub(super) material: Option<usize>,
+}
+
+/// A name and the line where it is used first.
+pub(super) struct Reference {
+    pub(super) name: String,
+    pub(super) line: usize,
+}
+
+impl Scan {
+    /// Checks the text in `bytes`.
+    pub(super) fn of(bytes: &[u8], source: &str, warnings: &mut Warnings) -> Result<Self, ObjError> {
+        let text = text::decode(bytes, source)?;
+        let mut scanner = Scanner::new(source, text.len());
+        for line in text::lines(text) {
+            scanner.line = line.number;
+            scanner.statement(&line.text, warnings)?;
+        }
+        scanner.finish()
+    }
+}
+
+/// What an index of a corner points to, in the order in which a corner has them.
+const KINDS: [Kind; 3] = [
+    Kind {
+        keyword: "v",
+        what: "vertex",
+        first: 1,
+    },
+    Kind {
+        keyword: "vt",
+        what: "texture coordinate",
+        first: 2,
+    },
+    Kind {
+        keyword: "vn",
+        what: "normal",
+        first: 2,
+    },
+];
+
+struct Kind {
+    keyword: &'static str,
+    what: &'static str,
+    /// The number that the first one of the file has in the plain text, where the zeros come before.
+    first: u64,
+}
+
+struct Scanner {
+    scan: Scan,
+    line: usize,
+    /// How many of each kind there have been.
+    counts: [u64; 3],
+    /// Indices that point ahead: line, kind, index.
+    ahead: Vec<(usize, usize, u64)>,
+    material: Option<usize>,
+    places: HashMap<String, usize>,
+}
+
+impl Scanner {
+    fn new(source: &str, length: usize) -> Self {
+        let mut plain = String::with_capacity(length);
+        plain.push_str("vt 0 0\nvn 0 0 0\n");
+        let scan = Scan {
+            source: source.to_owned(),
+            plain,
+            faces: Vec::new(),
+            used: Vec::new(),
+            libraries: Vec::new(),
+            has_normals: false,
+            has_texture: false,
+        };
+        Self {
+            scan,
+            line: 0,
+            counts: [0; 3],
+            ahead: Vec::new(),
+            material: None,
+            places: HashMap::new(),
+        }
+    }
+
+    fn statement(&mut self, text: &str, warnings: &mut Warnings) -> Result<(), ObjError> {
+        // A '#' begins a comment, but in the name of a material or a file it is a letter.
+        let code = text.split('#').next().unwrap_or_default();
+        let mut words = code.split_whitespace();
+        let Some(keyword) = words.next() else {
+            return Ok(());
+        };
+        let name = || text.trim_start().strip_prefix(keyword).unwrap_or_default().trim();
+        match keyword {
+            "v" => self.vertex(words),
+            "vt" => self.texture(words),
+            "vn" => self.normal(words),
+            "f" | "fo" => self.face(words),
+            "usemtl" => self.use_material(name()),
+            "mtllib" => self.library(name()),
+            "o" | "g" | "s" | "mg" | "lod" | "vp" | "bevel" | "c_interp" | "d_interp" => Ok(()),
+            other => {
+                warnings.add(
+                    &self.scan.source,
+                    Some(self.line),
+                    format!("{} is left out{}", quoted(other), what(other)),
+                );
+                Ok(())
+            }
+        }
+    }
+
+    fn vertex<'a>(&mut self, words: impl Iterator<Item = &'a str>) -> Result<(), ObjError> {
+        let numbers = self.numbers(words)?;
+        let (&[x, y, z], rest) = numbers
+            .split_first_chunk()
+            .ok_or_else(|| self.wrong_count("v", numbers.len()))?;
+        let w = match rest {
+            [w] => *w,
+            // x y z and a colour, with or without its opacity.
+            [] | [_, _, _] | [_, _, _, _] => 1.0,
+            _ => return Err(self.wrong_count("v", numbers.len())),
+        };
+        let p = [x / w, y / w, z / w];
+        if !p.iter().all(|x| x.is_finite()) {
+            let remedy = "write w = 1 or leave it out";
+            return Err(self.error(
+                format!("the vertex divided by its w = {w} is out of range"),
+                remedy,
+            ));
+        }
+        self.counts[0] += 1;
+        self.write(format_args!("v {} {} {}\n", p[0], p[1], p[2]));
+        Ok(())
+    }
+
+    fn texture<'a>(&mut self, words: impl Iterator<Item = &'a str>) -> Result<(), ObjError> {
+        let numbers = self.numbers(words)?;
+        let (u, v) = match numbers[..] {
+            [u] => (u, 0.0),
+            [u, v] | [u, v, _] => (u, v),
+            _ => return Err(self.wrong_count("vt", numbers.len())),
+        };
+        self.counts[1] += 1;
+        self.write(format_args!("vt {u} {v}\n"));
+        Ok(())
+    }
+
+    fn normal<'a>(&mut self, words: impl Iterator<Item = &'a str>) -> Result<(), ObjError> {
+        let numbers = self.numbers(words)?;
+        let [x, y, z] = numbers[..] else {
+            return Err(self.wrong_count("vn", numbers.len()));
+        };
+        self.counts[2] += 1;
+        self.write(format_args!("vn {x} {y} {z}\n"));
+        Ok(())
+    }
+
+    fn face<'a>(&mut self, words: impl Iterator<Item = &'a str>) -> Result<(), ObjError> {
+        self.scan.plain.push('f');
+        let mut corners = 0;
+        for word in words {
+            let [v, vt, vn] = self.corner(word)?;
+            let zeros = |index: Option<u64>| index.unwrap_or(1);
+            self.write(format_args!(" {}/{}/{}", zeros(v), zeros(vt), zeros(vn)));
+            corners += 1;
+        }
+        self.scan.plain.push('\n');
+        if corners < 3 {
+            return Err(self.error(
+                format!("a face with {corners} corners"),
+                "a face needs at least 3",
+            ));
+        }
+        self.scan.faces.push(Face {
+            line: self.line,
+            material: self.material,
+        });
+        Ok(())
+    }
+
+    /// The indices v/vt/vn of a corner in the plain text.
+    fn corner(&mut self, word: &str) -> Result<[Option<u64>; 3], ObjError> {
+        let mut corner = [None; 3];
+        for (kind, part) in word.split('/').enumerate() {
+            if kind == 3 {
+                return Err(self.error(
+                    format!("corner {} has more than three indices", quoted(word)),
+                    FORM,
+                ));
+            }
+            if !part.is_empty() {
+                corner[kind] = Some(self.index(kind, part)? + KINDS[kind].first - 1);
+            }
+        }
+        if corner[0].is_none() {
+            return Err(self.error(format!("corner {} has no vertex", quoted(word)), FORM));
+        }
+        self.scan.has_texture |= corner[1].is_some();
+        self.scan.has_normals |= corner[2].is_some();
+        Ok(corner)
+    }
+
+    /// An index, counted from 1.
+    fn index(&mut self, kind: usize, part: &str) -> Result<u64, ObjError> {
+        let Kind { what, .. } = KINDS[kind];
+        let count = self.counts[kind];
+        let Ok(index) = part.parse::<i64>() else {
+            return Err(self.error(format!("index {} is not a whole number", quoted(part)), FORM));
+        };
+        if index == 0 {
+            return Err(self.error(
+                format!("{what} 0"),
+                "indices count from 1, or from -1 for the latest",
+            ));
+        }
+        if index > 0 {
+            if index.unsigned_abs() > count {
+                self.ahead.push((self.line, kind, index.unsigned_abs()));
+            }
+            return Ok(index.unsigned_abs());
+        }
+        if index.unsigned_abs() > count {
+            let problem = format!("{what} {index}, but only {count} came before this line");
+            return Err(self.error(
+                problem,
+                format!("-1 is the latest, -{} would be the first", count.max(1)),
+            ));
+        }
+        Ok(count - index.unsigned_abs() + 1)
+    }
+
+    fn use_material(&mut self, name: &str) -> Result<(), ObjError> {
+        if name.is_empty() {
+            return Err(self.error(
+                "usemtl without a name",
+                "write the name of a material, as in: usemtl clay",
+            ));
+        }
+        let place = *self.places.entry(name.to_owned()).or_insert_with(|| {
+            self.scan.used.push(Reference {
+                name: name.to_owned(),
+                line: self.line,
+            });
+            self.scan.used.len() - 1
+        });
+        self.material = Some(place);
+        Ok(())
+    }
+
+    fn library(&mut self, name: &str) -> Result<(), ObjError> {
+        /// More material files than this are a mistake or an attack: each is a file to open.
+        const MOST: usize = 64;
+        if name.is_empty() {
+            return Err(self.error(
+                "mtllib without a file",
+                "write the name of a file, as in: mtllib pot.mtl",
+            ));
+        }
+        if self.scan.libraries.iter().all(|known| known.name != name) {
+            if self.scan.libraries.len() == MOST {
+                return Err(self.error(format!("more than {MOST} material files"), "merge them into one"));
+            }
+            self.scan.libraries.push(Reference {
+                name: name.to_owned(),
+                line: self.line,
+            });
+        }
+        Ok(())
+    }
+
+    /// Looks at the indices that pointed ahead, now that all is counted.
+    fn finish(mut self) -> Result<Scan, ObjError> {
+        for (line, kind, index) in std::mem::take(&mut self.ahead) {
+            let (Kind { keyword, what, .. }, count) = (&KINDS[kind], self.counts[kind]);
+            if index > count {
+                self.line = line;
+                let remedy = format!("use 1 to {count}, or add the missing '{keyword}' lines");
+                let none = format!("add '{keyword}' lines");
+                let problem = format!("{what} {index}, but the file has only {count}");
+                return Err(self.error(problem, if count == 0 { none } else { remedy }));
+            }
+        }
+        if self.scan.faces.is_empty() {
+            let problem = if self.counts[0] == 0 {
+                "no vertices and no faces"
+            } else {
+                "vertices, but no faces"
+            };
+            let remedy = "an OBJ file needs lines such as 'v 0 0 0' and 'f 1 2 3'";
+            return Err(ObjError::new(&self.scan.source, None, problem, remedy));
+        }
+        Ok(self.scan)
+    }
+
+    fn numbers<'a>(&self, words: impl Iterator<Item = &'a str>) -> Result<Vec<f32>, ObjError> {
+        words
+            .map(|word| number(word, &self.scan.source, self.line))
+            .collect()
+    }
+
+    fn wrong_count(&self, keyword: &str, count: usize) -> ObjError {
+        let expected = match keyword {
+            "v" => "3 (x y z), 4 (with w) or 6 (with a colour)",
+            "vt" => "1 to 3 (u v w)",
+            _ => "3 (x y z)",
+        };
+        self.error(
+            format!("'{keyword}' with {count} numbers"),
+            format!("write {expected}"),
+        )
+    }
+
+    fn error(&self, problem: impl Into<String>, remedy: impl Into<String>) -> ObjError {
+        ObjError::new(&self.scan.source, Some(self.line), problem, remedy)
+    }
+
+    fn write(&mut self, words: std::fmt::Arguments<'_>) {
+        self.scan
+            .plain
+            .write_fmt(words)
+            .expect("a String takes all that is written");
+    }
+}
+
+const FORM: &str = "write a corner as v, v/vt, v//vn or v/vt/vn with whole numbers";
+
+/// What a keyword that is left out stands for, if it is a known one.
+fn what(keyword: &str) -> &'static str {
+    match keyword {
+        "l" => ": lines are not drawn",
+        "p" => ": points are not drawn",
+        "cstype" | "deg" | "bmat" | "step" | "curv" | "curv2" | "surf" | "parm" | "trim" | "hole"
+        | "scrv" | "sp" | "end" | "con" => ": curved surfaces are not read, export as polygons",
+        "usemap" | "maplib" => ": textures are not read",
+        _ => "",
+    }
+}
