@@ -33,6 +33,7 @@ use ::image::{
 };
 use thiserror::Error;
 
+use crate::exr_header::{self, Claims};
 use crate::{Image, Rgb, srgb};
 
 /// The most pixels that [`decode`] accepts, 8192 × 8192: about 800 MB as an [`Image`]. A file of a few bytes can claim any
@@ -172,13 +173,29 @@ pub fn decode(bytes: &[u8]) -> Result<Image, CodecError> {
         Ok(format @ (ImageFormat::Png | ImageFormat::OpenExr)) => format,
         _ => return Err(CodecError::UnknownContent),
     };
-    // The OpenEXR reader panics on some damaged files. It shares nothing with us but the bytes, so there is no state
-    // that a panic could leave half done.
+    if format == ImageFormat::OpenExr {
+        check_claims(bytes)?;
+    }
+    // The OpenEXR reader panics on some damaged files (its B44 decompression overflows, in builds that check for that).
+    // It works on nothing of ours but the bytes, so no state is left half changed. The program's panic hook still hears
+    // of it, which by default means a message on standard error.
     catch_unwind(AssertUnwindSafe(|| read(bytes, format))).unwrap_or_else(|_| {
         Err(CodecError::Unreadable {
-            reason: "its parts contradict each other".to_owned(),
+            reason: "the reader of the format failed".to_owned(),
         })
     })
+}
+
+fn check_claims(exr: &[u8]) -> Result<(), CodecError> {
+    let reason = match exr_header::claims(exr) {
+        None => "its header is damaged or cut off".to_owned(),
+        Some(Claims { dwa: true, .. }) => "DWAA and DWAB compression are not read; use ZIP".to_owned(),
+        Some(Claims { bytes, .. }) if bytes > MOST_DECODER_BYTES => {
+            format!("its header claims {bytes} bytes of pixels, at most {MOST_DECODER_BYTES} are read")
+        }
+        Some(_) => return Ok(()),
+    };
+    Err(CodecError::Unreadable { reason })
 }
 
 fn read(bytes: &[u8], format: ImageFormat) -> Result<Image, CodecError> {

@@ -16,6 +16,7 @@
 pub mod codec;
 pub mod compare;
 pub mod depth;
+mod exr_header;
 pub mod image;
 pub mod srgb;
 

@@ -12,20 +12,19 @@
 //!
 //! [`encode`] is also where colours are clamped to [0, 1], once, on their way out (E8). Read [`mod@crate::codec`] next.
 
-/// Light below this is encoded by the straight piece of the curve, above it by the power (IEC 61966-2-1).
-const KNEE_LINEAR: f32 = 0.003_130_8;
-/// The same place on the encoded axis.
-const KNEE_ENCODED: f32 = 0.040_45;
+/// Light up to here is encoded by the straight piece of the curve, more by the power: where the two pieces meet. The
+/// standard rounds it to 0.0031308, where they miss each other by 3e-8, so that the curve would step back there.
+const KNEE_LINEAR: f64 = 0.003_130_668_442_500_6;
 /// The slope of the straight piece.
-const SLOPE: f32 = 12.92;
+const SLOPE: f64 = 12.92;
 /// The power piece is (1 + 0.055) · x^(1/2.4) − 0.055: stretched and shifted to meet the straight one.
-const OFFSET: f32 = 0.055;
+const OFFSET: f64 = 0.055;
 /// The exponent of the power piece.
-const GAMMA: f32 = 2.4;
+const GAMMA: f64 = 2.4;
 
 /// The encoded value, in [0, 1], of an amount of light of one channel.
 ///
-/// 12.92 · x up to x = 0.0031308, and 1.055 · x^(1/2.4) − 0.055 above (IEC 61966-2-1). This is the one place where colours are
+/// 12.92 · x up to x = 0.0031307, and 1.055 · x^(1/2.4) − 0.055 above (IEC 61966-2-1). This is the one place where colours are
 /// clamped (E8).
 ///
 /// - `linear`: light, proportional to power; 0 is black, 1 is the white of the file. Less than 0 counts as 0, more than 1 as 1,
@@ -38,12 +37,13 @@ const GAMMA: f32 = 2.4;
 /// ```
 #[must_use]
 pub fn encode(linear: f32) -> f32 {
-    let x = clamped(linear);
-    if x <= KNEE_LINEAR {
+    // In f64: in f32, rounding would part the two pieces again, and white would come out as 0.99999994.
+    let x = f64::from(clamped(linear));
+    (if x <= KNEE_LINEAR {
         SLOPE * x
     } else {
         (1.0 + OFFSET) * x.powf(1.0 / GAMMA) - OFFSET
-    }
+    }) as f32
 }
 
 /// The light, in [0, 1], of an encoded value of one channel: the inverse of [`encode`].
@@ -58,12 +58,12 @@ pub fn encode(linear: f32) -> f32 {
 /// ```
 #[must_use]
 pub fn decode(encoded: f32) -> f32 {
-    let y = clamped(encoded);
-    if y <= KNEE_ENCODED {
+    let y = f64::from(clamped(encoded));
+    (if y <= SLOPE * KNEE_LINEAR {
         y / SLOPE
     } else {
         ((y + OFFSET) / (1.0 + OFFSET)).powf(GAMMA)
-    }
+    }) as f32
 }
 
 /// The nearest of the 256 steps of an 8-bit file for an amount of light; clamped as in [`encode`].
@@ -138,13 +138,13 @@ mod tests {
 
     #[test]
     fn the_curve_rises_over_the_knee_without_a_step_back() {
-        // The two pieces meet at rounded constants; every f32 around the knee is tried.
-        let rises = |curve: fn(f32) -> f32, knee: f32| {
-            let (first, last) = ((knee * 0.999).to_bits(), (knee * 1.001).to_bits());
+        // Every f32 around the knee is tried.
+        let rises = |curve: fn(f32) -> f32, knee: f64| {
+            let (first, last) = ((knee as f32 * 0.999).to_bits(), (knee as f32 * 1.001).to_bits());
             (first..last).all(|bits| curve(f32::from_bits(bits)) <= curve(f32::from_bits(bits + 1)))
         };
         assert!(rises(encode, KNEE_LINEAR));
-        assert!(rises(decode, KNEE_ENCODED));
+        assert!(rises(decode, SLOPE * KNEE_LINEAR));
     }
 
     #[test]
