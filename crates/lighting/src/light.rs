@@ -55,13 +55,19 @@ impl Light {
     pub fn illumination(&self, p_world: Vec3) -> Option<Illumination> {
         match *self {
             Self::Ambient { .. } => None,
-            Self::Directional { to_light, color } => {
-                Some(Illumination { to_light, distance: f32::INFINITY, color })
-            }
+            Self::Directional { to_light, color } => Some(Illumination {
+                to_light,
+                distance: f32::INFINITY,
+                color,
+            }),
             Self::Point { position, color } => {
                 let way = position - p_world;
                 let to_light = way.try_normalize()?;
-                Some(Illumination { to_light, distance: way.length(), color })
+                Some(Illumination {
+                    to_light,
+                    distance: way.length(),
+                    color,
+                })
             }
         }
     }
@@ -70,6 +76,12 @@ impl Light {
 /// The sum of all ambient light, c_a.
 #[must_use]
 pub fn ambient(lights: &[Light]) -> Rgb {
-    let color = |light: &Light| if let Light::Ambient { color } = light { *color } else { Rgb::ZERO };
+    let color = |light: &Light| {
+        if let Light::Ambient { color } = light {
+            *color
+        } else {
+            Rgb::ZERO
+        }
+    };
     lights.iter().map(color).sum()
 }

@@ -42,17 +42,23 @@ pub fn rotation() -> impl Strategy<Value = Mat3> + Clone {
 
 /// A right-handed orthonormal basis in any position.
 pub fn basis() -> impl Strategy<Value = Basis> + Clone {
-    rotation().prop_map(|r| Basis { u: r.x_axis, v: r.y_axis, w: r.z_axis })
+    rotation().prop_map(|r| Basis {
+        u: r.x_axis,
+        v: r.y_axis,
+        w: r.z_axis,
+    })
 }
 
 /// An affine map: a rotation after an uneven scale in [½, 2] after a shear, then a shift of at most `extent`.
 pub fn affine(extent: f32) -> impl Strategy<Value = Mat4> + Clone {
     let scale = (0.5_f32..2.0, 0.5_f32..2.0, 0.5_f32..2.0).prop_map(Vec3::from);
-    (unit_vector(), -PI..PI, scale, -1.0_f32..1.0, point(extent)).prop_map(|(axis, angle, scale, shear, shift)| {
-        let mut sheared = Mat4::IDENTITY;
-        sheared.y_axis.x = shear;
-        Mat4::from_scale_rotation_translation(scale, Quat::from_axis_angle(axis, angle), shift) * sheared
-    })
+    (unit_vector(), -PI..PI, scale, -1.0_f32..1.0, point(extent)).prop_map(
+        |(axis, angle, scale, shear, shift)| {
+            let mut sheared = Mat4::IDENTITY;
+            sheared.y_axis.x = shear;
+            Mat4::from_scale_rotation_translation(scale, Quat::from_axis_angle(axis, angle), shift) * sheared
+        },
+    )
 }
 
 /// A triangle with corners in the cube [−`extent`, `extent`]³ that is not a sliver: the sine of the angle at a is at
@@ -93,20 +99,28 @@ pub fn ray_at(triangle: Triangle, extent: f32) -> impl Strategy<Value = Ray> + C
 /// A camera somewhere in the cube [−10, 10]³ that looks anywhere, up not parallel to its gaze.
 pub fn camera() -> impl Strategy<Value = Camera> + Clone {
     (point(10.0), unit_vector(), unit_vector())
-        .prop_filter("up along the gaze", |(_, gaze, up)| gaze.cross(*up).length() > 0.1)
+        .prop_filter("up along the gaze", |(_, gaze, up)| {
+            gaze.cross(*up).length() > 0.1
+        })
         .prop_map(|(eye, gaze, up)| Camera::look_at(eye, eye + gaze, up).expect("gaze and up are checked"))
 }
 
 /// An off-centre viewing volume, 0 > near > far.
 pub fn view_volume() -> impl Strategy<Value = ViewVolume> + Clone {
-    (-2.0_f32..1.0, 0.5_f32..3.0, -2.0_f32..1.0, 0.5_f32..3.0, 0.2_f32..2.0, 1.0_f32..50.0).prop_map(
-        |(left, width, bottom, height, near, depth)| ViewVolume {
+    (
+        -2.0_f32..1.0,
+        0.5_f32..3.0,
+        -2.0_f32..1.0,
+        0.5_f32..3.0,
+        0.2_f32..2.0,
+        1.0_f32..50.0,
+    )
+        .prop_map(|(left, width, bottom, height, near, depth)| ViewVolume {
             left,
             right: left + width,
             bottom,
             top: bottom + height,
             near: -near,
             far: -near - depth,
-        },
-    )
+        })
 }

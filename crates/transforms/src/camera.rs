@@ -47,7 +47,10 @@ impl Camera {
         if !target.is_finite() {
             return Err(DegenerateCamera::TargetNotFinite(target));
         }
-        Ok(Self { eye, basis: Basis::from_gaze_and_up(target - eye, up)? })
+        Ok(Self {
+            eye,
+            basis: Basis::from_gaze_and_up(target - eye, up)?,
+        })
     }
 
     /// e: where the camera is, in world space.

@@ -76,12 +76,22 @@ impl Pipeline {
     /// assert_eq!(traced.screen.unwrap().truncate(), vec3(149.5, 62.0, 0.0).truncate());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn new(camera: Camera, volume: ViewVolume, width: u32, height: u32) -> Result<Self, DegeneratePipeline> {
+    pub fn new(
+        camera: Camera,
+        volume: ViewVolume,
+        width: u32,
+        height: u32,
+    ) -> Result<Self, DegeneratePipeline> {
         volume.validate()?;
         if width == 0 || height == 0 {
             return Err(DegeneratePipeline::NoPixels { width, height });
         }
-        Ok(Self { camera, volume, width, height })
+        Ok(Self {
+            camera,
+            volume,
+            width,
+            height,
+        })
     }
 
     /// V · S · C · P · R · T: from the world to the screen; divide by w afterwards.
@@ -118,14 +128,30 @@ impl Pipeline {
     /// [`Pipeline::screen_from_world`] (E1).
     #[must_use]
     pub fn factors(&self) -> [Factor; 6] {
-        let factor = |symbol, meaning, matrix| Factor { symbol, meaning, matrix };
+        let factor = |symbol, meaning, matrix| Factor {
+            symbol,
+            meaning,
+            matrix,
+        };
         [
             factor('T', "move the eye to the origin", self.camera.translation()),
             factor('R', "turn u, v, w to x, y, z", self.camera.rotation()),
-            factor('P', "bend the pyramid into a box", projection::perspective(self.volume.near, self.volume.far)),
-            factor('C', "move the middle of the box to the origin", projection::center(&self.volume)),
+            factor(
+                'P',
+                "bend the pyramid into a box",
+                projection::perspective(self.volume.near, self.volume.far),
+            ),
+            factor(
+                'C',
+                "move the middle of the box to the origin",
+                projection::center(&self.volume),
+            ),
             factor('S', "scale the box to the cube", projection::scale(&self.volume)),
-            factor('V', "spread the square over the pixels", self.screen_from_canonical()),
+            factor(
+                'V',
+                "spread the square over the pixels",
+                self.screen_from_canonical(),
+            ),
         ]
     }
 
@@ -136,7 +162,13 @@ impl Pipeline {
         let clip = self.canonical_from_camera() * camera.extend(1.0);
         let canonical = (clip.w != 0.0).then(|| clip.truncate() / clip.w);
         let screen = canonical.map(|p| self.screen_from_canonical().transform_point3(p));
-        Traced { world: p_world, camera, clip, canonical, screen }
+        Traced {
+            world: p_world,
+            camera,
+            clip,
+            canonical,
+            screen,
+        }
     }
 
     /// The camera.

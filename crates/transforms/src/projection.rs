@@ -35,7 +35,10 @@ use crate::ViewVolume;
 #[must_use]
 pub fn perspective(near: f32, far: f32) -> Mat4 {
     let before_the_eye = near < 0.0 && far < 0.0 && near.is_finite() && far.is_finite();
-    assert!(before_the_eye && near != far, "near = {near} and far = {far} must be two different negative numbers");
+    assert!(
+        before_the_eye && near != far,
+        "near = {near} and far = {far} must be two different negative numbers"
+    );
     perspective_unchecked(near, far)
 }
 
@@ -82,14 +85,32 @@ pub fn canonical_from_camera(volume: &ViewVolume) -> Mat4 {
 /// S (L3): scale by 2/(r − l), 2/(t − b), 2/(n − f). One factor of [`orthographic`], for those who want to see it.
 #[must_use]
 pub fn scale(volume: &ViewVolume) -> Mat4 {
-    let ViewVolume { left, right, bottom, top, near, far } = *volume;
-    Mat4::from_scale(glam::vec3(2.0 / (right - left), 2.0 / (top - bottom), 2.0 / (near - far)))
+    let ViewVolume {
+        left,
+        right,
+        bottom,
+        top,
+        near,
+        far,
+    } = *volume;
+    Mat4::from_scale(glam::vec3(
+        2.0 / (right - left),
+        2.0 / (top - bottom),
+        2.0 / (near - far),
+    ))
 }
 
 /// C (L3): move the middle of the box to the origin. One factor of [`orthographic`], for those who want to see it.
 #[must_use]
 pub fn center(volume: &ViewVolume) -> Mat4 {
-    let ViewVolume { left, right, bottom, top, near, far } = *volume;
+    let ViewVolume {
+        left,
+        right,
+        bottom,
+        top,
+        near,
+        far,
+    } = *volume;
     Mat4::from_translation(-0.5 * glam::vec3(left + right, bottom + top, near + far))
 }
 

@@ -23,7 +23,10 @@ use crate::{ViewVolume, affine2};
 /// ```
 #[must_use]
 pub fn screen_from_canonical(width: u32, height: u32) -> Mat4 {
-    assert!(width > 0 && height > 0, "a screen of {width} × {height} pixels has no pixels");
+    assert!(
+        width > 0 && height > 0,
+        "a screen of {width} × {height} pixels has no pixels"
+    );
     let (n_x, n_y) = (width as f32, height as f32);
     let scale = Mat4::from_scale(vec3(0.5 * n_x, 0.5 * n_y, 1.0));
     Mat4::from_translation(vec3(0.5 * (n_x - 1.0), 0.5 * (n_y - 1.0), 0.0)) * scale
@@ -38,7 +41,10 @@ pub fn screen_from_canonical(width: u32, height: u32) -> Mat4 {
 /// If `width` or `height` is 0.
 #[must_use]
 pub fn window_from_pixel(volume: &ViewVolume, width: u32, height: u32) -> Mat3 {
-    assert!(width > 0 && height > 0, "a screen of {width} × {height} pixels has no pixels");
+    assert!(
+        width > 0 && height > 0,
+        "a screen of {width} × {height} pixels has no pixels"
+    );
     let pixel_size = vec2(
         (volume.right - volume.left) / width as f32,
         (volume.top - volume.bottom) / height as f32,
@@ -64,7 +70,10 @@ pub fn window_from_pixel(volume: &ViewVolume, width: u32, height: u32) -> Mat3 {
 /// ```
 #[must_use]
 pub fn window_point(volume: &ViewVolume, width: u32, height: u32, pixel: Vec2) -> Vec2 {
-    assert!(width > 0 && height > 0, "a screen of {width} × {height} pixels has no pixels");
+    assert!(
+        width > 0 && height > 0,
+        "a screen of {width} × {height} pixels has no pixels"
+    );
     vec2(
         volume.left + (volume.right - volume.left) * (pixel.x + 0.5) / width as f32,
         volume.bottom + (volume.top - volume.bottom) * (pixel.y + 0.5) / height as f32,
@@ -79,8 +88,16 @@ mod tests {
     fn the_slides_window_matrix_loses_the_corner_of_the_window() {
         // E14: the printed translation by (½, ½) has 0 in its corner.
         let slide_half = Mat3::from_cols(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.5, 0.5, 0.0));
-        let volume = ViewVolume { left: -2.0, right: 4.0, bottom: -1.0, top: 3.0, near: -1.0, far: -9.0 };
-        let slide = affine2::translate(vec2(-2.0, -1.0)) * affine2::scale(vec2(6.0 / 12.0, 4.0 / 8.0)) * slide_half;
+        let volume = ViewVolume {
+            left: -2.0,
+            right: 4.0,
+            bottom: -1.0,
+            top: 3.0,
+            near: -1.0,
+            far: -9.0,
+        };
+        let slide =
+            affine2::translate(vec2(-2.0, -1.0)) * affine2::scale(vec2(6.0 / 12.0, 4.0 / 8.0)) * slide_half;
         let pixel = vec3(3.0, 5.0, 1.0);
         assert_eq!(slide * pixel, vec3(1.75, 2.75, 0.0)); // shifted by nothing, and at infinity
         assert_eq!(window_from_pixel(&volume, 12, 8) * pixel, vec3(-0.25, 1.75, 1.0));

@@ -57,7 +57,9 @@ pub enum DegenerateVolume {
         value: f32,
     },
     /// f ≥ n.
-    #[error("far = {far} must be less than near = {near}: both are negative, and the far plane lies farther out")]
+    #[error(
+        "far = {far} must be less than near = {near}: both are negative, and the far plane lies farther out"
+    )]
     NoDepth {
         /// n.
         near: f32,
@@ -77,8 +79,18 @@ pub enum DegenerateVolume {
 
 impl std::fmt::Display for ViewVolume {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { left, right, bottom, top, near, far } = self;
-        write!(f, "left {left}, right {right}, bottom {bottom}, top {top}, near {near}, far {far}")
+        let Self {
+            left,
+            right,
+            bottom,
+            top,
+            near,
+            far,
+        } = self;
+        write!(
+            f,
+            "left {left}, right {right}, bottom {bottom}, top {top}, near {near}, far {far}"
+        )
     }
 }
 
@@ -106,7 +118,14 @@ impl ViewVolume {
         }
         let top = -near * (0.5 * fov_y).tan();
         let right = aspect * top;
-        let volume = Self { left: -right, right, bottom: -top, top, near, far };
+        let volume = Self {
+            left: -right,
+            right,
+            bottom: -top,
+            top,
+            near,
+            far,
+        };
         volume.validate()?;
         Ok(volume)
     }
@@ -116,8 +135,22 @@ impl ViewVolume {
     /// # Errors
     /// [`DegenerateVolume`] names the first thing that is wrong.
     pub fn validate(&self) -> Result<(), DegenerateVolume> {
-        let Self { left, right, bottom, top, near, far } = *self;
-        let named = [("near", near), ("far", far), ("left", left), ("right", right), ("bottom", bottom), ("top", top)];
+        let Self {
+            left,
+            right,
+            bottom,
+            top,
+            near,
+            far,
+        } = *self;
+        let named = [
+            ("near", near),
+            ("far", far),
+            ("left", left),
+            ("right", right),
+            ("bottom", bottom),
+            ("top", top),
+        ];
         for (name, value) in named {
             if !value.is_finite() {
                 return Err(DegenerateVolume::NotFinite { name, value });
@@ -162,37 +195,90 @@ impl ViewVolume {
 mod tests {
     use super::*;
 
-    const VOLUME: ViewVolume = ViewVolume { left: -1.0, right: 3.0, bottom: -2.0, top: 1.0, near: -1.5, far: -40.0 };
+    const VOLUME: ViewVolume = ViewVolume {
+        left: -1.0,
+        right: 3.0,
+        bottom: -2.0,
+        top: 1.0,
+        near: -1.5,
+        far: -40.0,
+    };
 
     #[test]
     fn each_degenerate_number_is_named() {
         use DegenerateVolume::*;
         let errors = [
-            (ViewVolume { right: -1.0, ..VOLUME }, NoWidth { left: -1.0, right: -1.0 }),
-            (ViewVolume { top: -3.0, ..VOLUME }, NoHeight { bottom: -2.0, top: -3.0 }),
-            (ViewVolume { far: -1.5, ..VOLUME }, NoDepth { near: -1.5, far: -1.5 }),
-            (ViewVolume { near: 1.5, ..VOLUME }, NotBeforeTheEye { name: "near", value: 1.5 }),
-            (ViewVolume { far: 0.0, ..VOLUME }, NotBeforeTheEye { name: "far", value: 0.0 }),
+            (
+                ViewVolume {
+                    right: -1.0,
+                    ..VOLUME
+                },
+                NoWidth {
+                    left: -1.0,
+                    right: -1.0,
+                },
+            ),
+            (
+                ViewVolume { top: -3.0, ..VOLUME },
+                NoHeight {
+                    bottom: -2.0,
+                    top: -3.0,
+                },
+            ),
+            (
+                ViewVolume { far: -1.5, ..VOLUME },
+                NoDepth {
+                    near: -1.5,
+                    far: -1.5,
+                },
+            ),
+            (
+                ViewVolume { near: 1.5, ..VOLUME },
+                NotBeforeTheEye {
+                    name: "near",
+                    value: 1.5,
+                },
+            ),
+            (
+                ViewVolume { far: 0.0, ..VOLUME },
+                NotBeforeTheEye {
+                    name: "far",
+                    value: 0.0,
+                },
+            ),
         ];
         for (volume, error) in errors {
             assert_eq!(volume.validate(), Err(error));
         }
-        let nan = ViewVolume { bottom: f32::NAN, ..VOLUME };
+        let nan = ViewVolume {
+            bottom: f32::NAN,
+            ..VOLUME
+        };
         assert!(matches!(nan.validate(), Err(NotFinite { name: "bottom", .. })));
         assert_eq!(VOLUME.validate(), Ok(()));
     }
 
     #[test]
     fn volumes_whose_matrix_overflows_are_refused() {
-        let far_away = ViewVolume { near: -1e30, far: -1e31, ..VOLUME };
-        assert!(matches!(far_away.validate(), Err(DegenerateVolume::TooExtreme(_))));
+        let far_away = ViewVolume {
+            near: -1e30,
+            far: -1e31,
+            ..VOLUME
+        };
+        assert!(matches!(
+            far_away.validate(),
+            Err(DegenerateVolume::TooExtreme(_))
+        ));
     }
 
     #[test]
     fn fields_of_view_outside_zero_to_pi_are_refused() {
         for fov_y in [0.0, -1.0, 3.2, f32::NAN] {
             let error = ViewVolume::from_fov_y(fov_y, 1.0, -1.0, -10.0);
-            assert!(matches!(error, Err(DegenerateVolume::FieldOfView(_))), "{fov_y}: {error:?}");
+            assert!(
+                matches!(error, Err(DegenerateVolume::FieldOfView(_))),
+                "{fov_y}: {error:?}"
+            );
         }
     }
 }
