@@ -29,3 +29,7 @@ pub use plane::Plane;
 pub use ray::Ray;
 pub use sphere::Sphere;
 pub use triangle::{Barycentric, Triangle};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeExamples;

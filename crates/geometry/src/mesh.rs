@@ -228,7 +228,7 @@ impl Mesh {
     /// # Errors
     /// [`MeshError::NotFinite`] if a coordinate overflows.
     pub fn transformed(&self, target_from_source: &Mat4) -> Result<Self, MeshError> {
-        let mirrored = Mat3::from_mat4(*target_from_source).determinant() < 0.0;
+        let mirrored = scaled_linear_part(target_from_source).determinant() < 0.0;
         let turn = |t: &[u32; 3]| if mirrored { [t[0], t[2], t[1]] } else { *t };
         let turn_all = |triangles: &[[u32; 3]]| triangles.iter().map(turn).collect::<Vec<_>>();
 
@@ -284,7 +284,7 @@ impl Mesh {
 /// have no unit length: normalize them.
 #[must_use]
 pub fn normal_matrix(target_from_source: &Mat4) -> Mat3 {
-    let m = Mat3::from_mat4(*target_from_source);
+    let m = scaled_linear_part(target_from_source);
     let cofactors = Mat3::from_cols(
         m.y_axis.cross(m.z_axis),
         m.z_axis.cross(m.x_axis),
@@ -294,6 +294,22 @@ pub fn normal_matrix(target_from_source: &Mat4) -> Mat3 {
         -cofactors
     } else {
         cofactors
+    }
+}
+
+/// What the map does to directions, divided by its largest entry: products of three entries of a map that shrinks to
+/// a trillionth would underflow.
+fn scaled_linear_part(target_from_source: &Mat4) -> Mat3 {
+    let m = Mat3::from_mat4(*target_from_source);
+    let largest = m
+        .to_cols_array()
+        .iter()
+        .fold(0.0_f32, |largest, entry| largest.max(entry.abs()));
+    if largest > 0.0 && largest.is_finite() {
+        // Not times the reciprocal: that of a subnormal number overflows.
+        Mat3::from_cols(m.x_axis / largest, m.y_axis / largest, m.z_axis / largest)
+    } else {
+        m
     }
 }
 
@@ -324,4 +340,94 @@ fn check_indices(what: &'static str, triangles: &[[u32; 3]], count: usize) -> Re
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::vec3;
+
+    use super::*;
+
+    /// A slope of two triangles with normals and materials.
+    fn slope() -> Mesh {
+        let corners = vec![
+            vec3(0.0, 0.0, 0.0),
+            vec3(2.0, 0.0, 0.0),
+            vec3(2.0, 3.0, 4.0),
+            vec3(0.0, 3.0, 4.0),
+        ];
+        let triangles = vec![[0, 1, 2], [0, 2, 3]];
+        let n = vec3(0.0, -4.0, 3.0);
+        let normals = Indexed {
+            values: vec![n],
+            triangles: vec![[0; 3]; 2],
+        };
+        Mesh::new(corners, triangles)
+            .unwrap()
+            .with_normals(normals)
+            .unwrap()
+            .with_materials(vec![5, 8])
+            .unwrap()
+    }
+
+    #[test]
+    fn normals_become_unit_and_stay_on_the_front() {
+        let mesh = slope();
+        assert_eq!(mesh.corner_normals(0), Some([vec3(0.0, -0.8, 0.6); 3]));
+        assert_eq!(mesh.triangle(0).normal(), Some(vec3(0.0, -0.8, 0.6)));
+    }
+
+    #[test]
+    fn mirror_keeps_fronts_in_front_however_small_the_result() {
+        for scale in [1.0, 1e-15, 1e-30, 1e15] {
+            let mirror = Mat4::from_scale(scale * vec3(-1.0, 2.0, 0.5));
+            let mesh = slope().transformed(&mirror).unwrap();
+            for k in 0..2 {
+                let face = mesh.triangle(k).normal().unwrap();
+                let [n, ..] = mesh.corner_normals(k).unwrap();
+                // Both are unit vectors, each rounded a few times.
+                assert!(
+                    (face - n).length() < 1e-6,
+                    "scale {scale}, triangle {k}: {face} and {n}"
+                );
+            }
+            assert_eq!((mesh.material(0), mesh.material(1)), (5, 8));
+        }
+    }
+
+    #[test]
+    fn attribute_that_does_not_fit_is_an_error_that_names_it() {
+        let normals = |triangles| Indexed {
+            values: vec![Vec3::X],
+            triangles,
+        };
+        let error = slope().with_normals(normals(vec![[0; 3]])).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "normal: 1 entries for 2 triangles; there must be one for each triangle"
+        );
+        let error = slope()
+            .with_normals(normals(vec![[0; 3], [0, 0, 7]]))
+            .unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "triangle 1 asks for normal 7, but there are only 1 (counted from 0)"
+        );
+        let error = Mesh::new(vec![Vec3::NAN], Vec::new()).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "position 0 is not finite: Vec3(NaN, NaN, NaN) (counted from 0)"
+        );
+        assert!(slope().with_materials(vec![1]).is_err());
+    }
+
+    #[test]
+    fn corner_without_a_normal_has_none() {
+        let normals = Indexed {
+            values: vec![Vec3::X, Vec3::ZERO],
+            triangles: vec![[0; 3], [0, 1, 0]],
+        };
+        let mesh = slope().with_normals(normals).unwrap();
+        assert!(mesh.corner_normals(0).is_some() && mesh.corner_normals(1).is_none());
+    }
 }

@@ -42,7 +42,7 @@ pub fn teapot(level: u32) -> Result<Mesh, ShapeError> {
     }
     for part in PARTS {
         let mut welded = HashMap::new();
-        for number in part.iter().cloned().flatten() {
+        for number in part {
             add_patch(&mut pot, &mut welded, &patch(number), cuts);
         }
     }
@@ -50,7 +50,7 @@ pub fn teapot(level: u32) -> Result<Mesh, ShapeError> {
 }
 
 /// The patches of each connected surface: body with rim and bottom, handle, spout, lid.
-const PARTS: [&[Range<usize>]; 4] = [&[0..12, 28..32], &[12..16], &[16..20], &[20..28]];
+const PARTS: [Range<usize>; 4] = [0..16, 16..20, 20..24, 24..32];
 
 /// Patch `number` with y up.
 fn patch(number: usize) -> BezierPatch {
@@ -119,7 +119,7 @@ mod tests {
         assert_eq!(patch(4).point(0.0, 0.0), dvec3(1.5, 2.4, 0.0));
         assert_eq!(patch(4).point(1.0, 1.0), dvec3(0.0, 0.9, 2.0));
         // The middle of a curve is (P0 + 3 P1 + 3 P2 + P3) / 8: for the knob's profile r = (0, 0.8, 0, 0.2).
-        let knob = patch(20).point(0.5, 0.0);
+        let knob = patch(24).point(0.5, 0.0);
         assert!(
             (knob - dvec3(2.6 / 8.0, (3.15 + 3.0 * 3.15 + 3.0 * 2.85 + 2.7) / 8.0, 0.0)).length() < 1e-15
         );
@@ -137,7 +137,7 @@ mod tests {
     #[test]
     fn patches_that_meet_agree_on_the_normal() {
         for part in PARTS {
-            let patches: Vec<_> = part.iter().cloned().flatten().map(patch).collect();
+            let patches: Vec<_> = part.map(patch).collect();
             let mut seen: HashMap<[u32; 3], DVec3> = HashMap::new();
             for patch in &patches {
                 for (i, j) in (0..=4).flat_map(|i| (0..=4).map(move |j| (i, j))) {
@@ -155,6 +155,47 @@ mod tests {
                         "{patch:?} at {u}, {v}: {first} and {n}"
                     );
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn fronts_look_outward_at_the_extremes_of_every_part() {
+        use glam::DVec3 as V;
+        let extremes: [(usize, &[V]); 4] = [
+            (0, &[V::X, V::NEG_X, V::Z, V::NEG_Z, V::NEG_Y]), // body
+            (1, &[V::NEG_X, V::Z, V::NEG_Z]),                 // handle
+            (2, &[V::Y, V::Z, V::NEG_Z]),                     // spout: up is its lip
+            (3, &[V::Y]),                                     // lid: up is its knob
+        ];
+        let pot = teapot(3).unwrap();
+        let normals = &pot.normals().unwrap().values;
+        for (part, directions) in extremes {
+            let patches: Vec<_> = PARTS[part].clone().map(patch).collect();
+            let points: Vec<_> = (0..=16 * 17)
+                .flat_map(|k| {
+                    patches
+                        .iter()
+                        .map(move |p| p.point(f64::from(k / 17) / 16.0, f64::from(k % 17) / 16.0))
+                })
+                .collect();
+            for direction in directions {
+                let extreme = points
+                    .iter()
+                    .max_by(|p, q| p.dot(*direction).total_cmp(&q.dot(*direction)))
+                    .unwrap();
+                let index = pot
+                    .positions()
+                    .iter()
+                    .position(|p| *p == extreme.as_vec3())
+                    .unwrap();
+                // At an extreme the surface is level; the sample next to it is less than 25° away.
+                let cosine = normals[index].as_dvec3().dot(*direction);
+                assert!(
+                    cosine > 0.9,
+                    "part {part} towards {direction}: normal {}",
+                    normals[index]
+                );
             }
         }
     }
