@@ -4,13 +4,21 @@
 //! - [`screen`]: triangles on the screen, in fixed-point pixels.
 //! - [`mod@rasterize`]: the pixels of a triangle, each sample on a shared edge exactly once.
 //! - [`depth_buffer`]: the nearest depth so far, in 32, 24 or 16 bits (L16, L20).
+//! - [`mod@draw`]: the z-buffer algorithm of the slide (L16), and how often it computes a colour in vain (E16).
 //! - [`painter`]: the painter's algorithm, occlusion cycles and what to do about them (L13, L14).
 //!
 //! Depth is canonical z, affine on the screen: near +1, far −1, **larger is nearer**. Pixels are (i, j), j upwards.
 
 #![forbid(unsafe_code)]
 
+pub mod clip;
+pub mod depth_buffer;
+pub mod draw;
 pub mod painter;
+pub mod rasterize;
 pub mod screen;
 
+pub use clip::{ScreenPolygon, project, project_clip};
+pub use depth_buffer::{DepthBand, DepthBuffer, DepthFormat};
+pub use rasterize::{rasterize, rasterize_rows};
 pub use screen::{Fragment, ScreenTriangle, ScreenVertex};

@@ -1,0 +1,227 @@
+//! Which part of a triangle can be on the screen? The rest is cut off before the division by w.
+//!
+//! Behind the eye w changes its sign, and at the height of the eye it is 0: dividing first would fold what lies behind the
+//! viewer onto the picture. So a triangle is cut in clip space, where it is still flat and its edges straight.
+//!
+//! Visible points have clip **w < 0** here (E2): near, z ≤ +1 after the division, reads z ≥ w before it, and far reads z ≤ −w.
+
+use geometry::{Barycentric, Triangle};
+use glam::{DVec2, DVec3, DVec4, Mat4, Vec4};
+
+use crate::screen::{ScreenTriangle, ScreenVertex};
+
+/// The longest side, in pixels, of a screen that [`project`] accepts.
+pub const GREATEST_SIDE: u32 = 1 << 15;
+
+/// How far from the screen's origin a projected vertex may lie, in pixels: twice as far as the largest screen reaches.
+///
+/// Well within [`GREATEST_PIXEL`](crate::screen::GREATEST_PIXEL): up to here an `f32` still tells 1/256 pixels apart, so
+/// that cutting moves no edge by more than snapping does.
+pub const GUARD_BAND: f32 = (1 << 16) as f32;
+
+/// A triangle has 3 corners, and each of the 6 planes can add one.
+const MOST_VERTICES: usize = 9;
+
+/// What of `triangle` lies between the near and the far plane, on a screen of `width` × `height` pixels (L5).
+///
+/// - `clip_from_world`: S · C · P · R · T, [`transforms::Pipeline::clip_from_world`]; visible points get w < 0 (E2). A
+///   parallel projection has w = 1 everywhere: negate its matrix, which changes no point after the division.
+/// - `triangle`: in world space, either side, any size.
+///
+/// The result is empty if nothing is left, or if a corner is not finite in clip space. Parts to the left or right, above
+/// or below the screen are not cut unless they lie beyond [`GUARD_BAND`]. An edge that two triangles share is cut
+/// at the same points, bit for bit, in both: no crack opens.
+///
+/// ```
+/// use geometry::Triangle;
+/// use glam::{Vec3, vec3};
+/// use transforms::{Camera, Pipeline, ViewVolume};
+/// use zbuffer::project;
+///
+/// let camera = Camera::look_at(vec3(0.0, 0.0, 0.0), vec3(0.0, 0.0, -1.0), Vec3::Y)?;
+/// let volume = ViewVolume { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0, near: -1.0, far: -9.0 };
+/// let clip_from_world = Pipeline::new(camera, volume, 200, 100)?.clip_from_world();
+/// // One corner lies behind the eye: a quadrilateral is left, two triangles.
+/// let triangle = Triangle::new(vec3(-2.0, -1.0, -4.0), vec3(2.0, -1.0, -5.0), vec3(0.0, 1.0, 3.0));
+/// assert_eq!(project(&clip_from_world, 200, 100, &triangle).triangles().count(), 2);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Panics
+/// If `width` or `height` is 0 or more than [`GREATEST_SIDE`].
+#[must_use]
+pub fn project(clip_from_world: &Mat4, width: u32, height: u32, triangle: &Triangle) -> ScreenPolygon {
+    // From the world to clip space.
+    let corners = triangle.corners().map(|p_world| *clip_from_world * p_world.extend(1.0));
+    project_clip(corners, width, height)
+}
+
+/// As [`project`], from corners that are in clip space already: a mesh transforms a shared vertex only once.
+///
+/// # Panics
+/// If `width` or `height` is 0 or more than [`GREATEST_SIDE`].
+#[must_use]
+pub fn project_clip(corners: [Vec4; 3], width: u32, height: u32) -> ScreenPolygon {
+    let viewport = Viewport::new(width, height);
+    if !corners.iter().all(|corner| corner.is_finite()) {
+        return ScreenPolygon::EMPTY;
+    }
+    let mut polygon = ClipPolygon::triangle(corners);
+    // Cut, in clip space, while edges are still straight.
+    for plane in viewport.planes() {
+        polygon.cut(plane);
+    }
+    // Divide by w, and go to pixels.
+    viewport.screen_polygon(&polygon)
+}
+
+/// What clipping left of a triangle: a convex polygon of up to nine vertices on the screen, in the triangle's order.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ScreenPolygon {
+    vertices: [ScreenVertex; MOST_VERTICES],
+    count: usize,
+}
+
+impl ScreenPolygon {
+    const EMPTY: Self = Self {
+        vertices: [ScreenVertex { position: glam::Vec3::ZERO, inv_w: 0.0, weights: Barycentric::A }; MOST_VERTICES],
+        count: 0,
+    };
+
+    /// The vertices: none, or at least three.
+    #[must_use]
+    pub fn vertices(&self) -> &[ScreenVertex] {
+        &self.vertices[..self.count]
+    }
+
+    /// The polygon as triangles that fan out from its first vertex, all in its orientation.
+    pub fn triangles(self) -> impl Iterator<Item = ScreenTriangle> {
+        let [apex, ..] = self.vertices;
+        (2..self.count).map(move |k| ScreenTriangle { vertices: [apex, self.vertices[k - 1], self.vertices[k]] })
+    }
+}
+
+/// The way from clip space to pixels, per axis: pixel = half_size · canonical + center (L4).
+struct Viewport {
+    half_size: DVec2,
+    center: DVec2,
+}
+
+impl Viewport {
+    fn new(width: u32, height: u32) -> Self {
+        let sides = 1..=GREATEST_SIDE;
+        assert!(sides.contains(&width) && sides.contains(&height), "no screen can have {width} × {height} pixels");
+        let size = DVec2::new(width.into(), height.into());
+        Self { half_size: 0.5 * size, center: 0.5 * (size - 1.0) }
+    }
+
+    /// The planes of the clipped volume: inside is where plane · (x, y, z, w) ≥ 0.
+    fn planes(&self) -> [DVec4; 6] {
+        // half_size · x/w + center ≤ GUARD_BAND, times −w > 0. The band is symmetric about the screen's middle.
+        let guard = (f64::from(GUARD_BAND) - self.center) / self.half_size;
+        [
+            DVec4::new(0.0, 0.0, 1.0, -1.0),
+            DVec4::new(0.0, 0.0, -1.0, -1.0),
+            DVec4::new(1.0, 0.0, 0.0, -guard.x),
+            DVec4::new(-1.0, 0.0, 0.0, -guard.x),
+            DVec4::new(0.0, 1.0, 0.0, -guard.y),
+            DVec4::new(0.0, -1.0, 0.0, -guard.y),
+        ]
+    }
+
+    fn screen_polygon(&self, polygon: &ClipPolygon) -> ScreenPolygon {
+        let mut screen = ScreenPolygon { count: polygon.count, ..ScreenPolygon::EMPTY };
+        for (to, from) in screen.vertices.iter_mut().zip(polygon.vertices()) {
+            let Some(vertex) = self.screen_vertex(from) else { return ScreenPolygon::EMPTY };
+            *to = vertex;
+        }
+        screen
+    }
+
+    /// `None` if the division fails: the volume has one such point, the eye itself, where all of x, y, z, w are 0.
+    fn screen_vertex(&self, vertex: &ClipVertex) -> Option<ScreenVertex> {
+        let inv_w = 1.0 / vertex.position.w;
+        let canonical = vertex.position.truncate() * inv_w;
+        let pixel = self.half_size * canonical.truncate() + self.center;
+        // A vertex cut off at near or far has z = ±1 but for rounding.
+        let position = pixel.extend(canonical.z.clamp(-1.0, 1.0)).as_vec3();
+        let DVec3 { x, y, z } = vertex.weights;
+        let weights = Barycentric { alpha: x as f32, beta: y as f32, gamma: z as f32 };
+        let vertex = ScreenVertex { position, inv_w: inv_w as f32, weights };
+        (inv_w < 0.0 && vertex.inv_w.is_finite() && position.is_finite()).then_some(vertex)
+    }
+}
+
+/// A vertex in clip space. In 64 bits, so that where an edge is cut does not depend on how far away its ends are.
+#[derive(Clone, Copy)]
+struct ClipVertex {
+    position: DVec4,
+    /// α, β, γ in the source triangle: affine in clip space.
+    weights: DVec3,
+}
+
+/// A convex polygon in clip space.
+struct ClipPolygon {
+    vertices: [ClipVertex; MOST_VERTICES],
+    count: usize,
+}
+
+impl ClipPolygon {
+    const EMPTY: Self =
+        Self { vertices: [ClipVertex { position: DVec4::ZERO, weights: DVec3::ZERO }; MOST_VERTICES], count: 0 };
+
+    fn triangle(corners: [Vec4; 3]) -> Self {
+        let mut polygon = Self::EMPTY;
+        for (corner, weights) in corners.into_iter().zip(DVec3::AXES) {
+            polygon.push(ClipVertex { position: corner.as_dvec4(), weights });
+        }
+        polygon
+    }
+
+    fn vertices(&self) -> &[ClipVertex] {
+        &self.vertices[..self.count]
+    }
+
+    /// A convex polygon crosses a plane at most twice. Where rounding makes it seem otherwise, the surplus vertices lie
+    /// on the plane but for rounding, and can be left out.
+    fn push(&mut self, vertex: ClipVertex) {
+        if self.count < MOST_VERTICES {
+            self.vertices[self.count] = vertex;
+            self.count += 1;
+        }
+    }
+
+    /// Keeps what lies inside the plane (Sutherland–Hodgman).
+    fn cut(&mut self, plane: DVec4) {
+        if self.vertices().iter().all(|v| plane.dot(v.position) >= 0.0) {
+            return;
+        }
+        let mut kept = Self::EMPTY;
+        for (k, &to) in self.vertices().iter().enumerate() {
+            let from = self.vertices[(k + self.count - 1) % self.count];
+            let (d_from, d_to) = (plane.dot(from.position), plane.dot(to.position));
+            match (d_from >= 0.0, d_to >= 0.0) {
+                (true, true) => kept.push(to),
+                (true, false) => kept.push(crossing(from, d_from, to, d_to)),
+                (false, true) => {
+                    kept.push(crossing(to, d_to, from, d_from));
+                    kept.push(to);
+                }
+                (false, false) => {}
+            }
+        }
+        *self = kept;
+    }
+}
+
+/// Where the edge from `inside` to `outside` meets the plane; `d_in` ≥ 0 > `d_out` are the plane's values there.
+///
+/// Always computed from the inside out, whichever way the triangle runs along the edge: two triangles that share it get
+/// the same point.
+fn crossing(inside: ClipVertex, d_in: f64, outside: ClipVertex, d_out: f64) -> ClipVertex {
+    let (share_in, share_out) = (d_out / (d_out - d_in), d_in / (d_in - d_out));
+    ClipVertex {
+        position: share_in * inside.position + share_out * outside.position,
+        weights: share_in * inside.weights + share_out * outside.weights,
+    }
+}

@@ -1,0 +1,243 @@
+//! Which pixels does a triangle cover, how deep is it there, and which of its points do they show? (L18)
+//!
+//! [`rasterize`] asks every pixel of the bounding box. [`rasterize_rows`] gives the same fragments, bit for bit, but goes
+//! straight to the covered part of each row.
+//!
+//! Whether a pixel is covered is decided in whole numbers. Vertices are snapped to 1/256 pixel; then each edge has an
+//! *edge function*: twice the signed area of the triangle that the edge makes with the pixel's centre, positive on the
+//! inner side. Two triangles that share an edge get the same number there with opposite signs, without rounding. A
+//! centre exactly on the edge belongs to one of them by the **top-left rule** (E10): a triangle owns its left edges (its
+//! inside lies to the right) and its top edges (horizontal, its inside lies below). Rows run upwards here, so "top" is
+//! where y is greatest, as it looks on the picture.
+
+use std::ops::Range;
+
+use geometry::Barycentric;
+use glam::{DVec3, I64Vec2};
+
+use crate::screen::{Fragment, GREATEST_PIXEL, SUBPIXELS, ScreenTriangle, ScreenVertex};
+
+/// Calls `draw` for every pixel of a `width` × `height` screen whose centre lies in the triangle: row by row upwards,
+/// each from left to right.
+///
+/// Both orientations are drawn. A centre on an edge that two triangles share belongs to exactly one of them (E10). A
+/// triangle whose snapped vertices lie on one line covers nothing.
+///
+/// - z is affine on the screen and never leaves the range of the vertices' z, however thin the triangle.
+/// - The weights are perspective-correct: 1/w is affine on the screen, camera depth is not (E9).
+///
+/// ```
+/// use geometry::Barycentric;
+/// use glam::vec3;
+/// use zbuffer::{ScreenTriangle, ScreenVertex, rasterize};
+///
+/// let vertex = |x, y, z, weights| ScreenVertex { position: vec3(x, y, z), inv_w: -0.5, weights };
+/// let vertices = [
+///     vertex(1.0, 1.0, 0.2, Barycentric::A),
+///     vertex(4.0, 1.0, 0.5, Barycentric::B),
+///     vertex(1.0, 3.0, 0.4, Barycentric::C),
+/// ];
+/// let mut pixels = Vec::new();
+/// rasterize(&ScreenTriangle { vertices }, 10, 10, |fragment| pixels.push((fragment.i, fragment.j)));
+/// // The lower edge (j = 1) belongs to the triangle below; the left edge (i = 1) belongs to this one.
+/// assert_eq!(pixels, [(1, 2), (2, 2)]);
+/// ```
+///
+/// # Panics
+/// If a vertex lies farther than [`GREATEST_PIXEL`] from the origin in x or y, if a z is not finite, or if the three
+/// `inv_w` are not finite, different from 0 and of one sign. What [`crate::project`] returns is never like that.
+pub fn rasterize(triangle: &ScreenTriangle, width: u32, height: u32, mut draw: impl FnMut(Fragment)) {
+    let Some(setup) = Setup::new(triangle) else { return };
+    for j in setup.rows(0..height) {
+        for i in setup.columns(width) {
+            let edges = setup.edges_at(i, j);
+            if setup.covers(edges) {
+                draw(setup.fragment(i, j, edges));
+            }
+        }
+    }
+}
+
+/// The same fragments as [`rasterize`], bit for bit and in the same order, in those of the pixel rows j ∈ `rows`: the fast
+/// version.
+///
+/// It solves each edge function for the first and the last covered pixel of a row, so that pixels outside cost
+/// nothing, and steps from pixel to pixel by additions. Threads may draw disjoint bands of rows of one triangle.
+///
+/// # Panics
+/// As [`rasterize`].
+#[inline]
+pub fn rasterize_rows(triangle: &ScreenTriangle, width: u32, rows: Range<u32>, mut draw: impl FnMut(Fragment)) {
+    let Some(setup) = Setup::new(triangle) else { return };
+    let columns = setup.columns(width);
+    for j in setup.rows(rows) {
+        let span = setup.span(columns.clone(), j);
+        let mut edges = setup.edges_at(span.start, j);
+        for i in span {
+            draw(setup.fragment(i, j, edges));
+            edges = setup.stepped_right(edges);
+        }
+    }
+}
+
+/// A triangle made ready for its pixels: anticlockwise, with its edges and what is interpolated.
+struct Setup {
+    /// The edges opposite to the vertices a, b, c: bc, ca, ab.
+    edges: [Edge; 3],
+    lowest: I64Vec2,
+    highest: I64Vec2,
+    /// 1 / (twice the area): turns edge functions into the affine weights of the vertices.
+    inv_doubled_area: f64,
+    z: DVec3,
+    least_z: f64,
+    greatest_z: f64,
+    inv_w: DVec3,
+    /// Each vertex's weights in the source triangle, times its 1/w: affine on the screen.
+    weights_over_w: [DVec3; 3],
+}
+
+impl Setup {
+    /// `None` if the triangle covers nothing.
+    fn new(triangle: &ScreenTriangle) -> Option<Self> {
+        let [a, b, c] = anticlockwise(triangle)?;
+        let corners = [a, b, c].map(|v| v.snapped());
+        let [p_a, p_b, p_c] = corners;
+        let z = DVec3::new(a.position.z.into(), b.position.z.into(), c.position.z.into());
+        assert!(z.is_finite(), "a vertex has depth NaN or infinity: {triangle:?}");
+        let inv_w = DVec3::new(a.inv_w.into(), b.inv_w.into(), c.inv_w.into());
+        let one_sign = inv_w.min_element() > 0.0 || inv_w.max_element() < 0.0;
+        assert!(one_sign && inv_w.is_finite(), "1/w must be of one sign and finite: {triangle:?}");
+        Some(Self {
+            edges: [Edge::new(p_b, p_c), Edge::new(p_c, p_a), Edge::new(p_a, p_b)],
+            lowest: p_a.min(p_b).min(p_c),
+            highest: p_a.max(p_b).max(p_c),
+            inv_doubled_area: 1.0 / (p_b - p_a).perp_dot(p_c - p_a) as f64,
+            z,
+            least_z: z.min_element(),
+            greatest_z: z.max_element(),
+            inv_w,
+            weights_over_w: [a, b, c].map(|v| v.weights.to_vec3().as_dvec3() * f64::from(v.inv_w)),
+        })
+    }
+
+    /// The columns of the bounding box that are on the screen.
+    fn columns(&self, width: u32) -> Range<u32> {
+        pixels_between(self.lowest.x, self.highest.x, 0..width)
+    }
+
+    /// The rows of the bounding box that are among `rows`.
+    fn rows(&self, rows: Range<u32>) -> Range<u32> {
+        pixels_between(self.lowest.y, self.highest.y, rows)
+    }
+
+    fn edges_at(&self, i: u32, j: u32) -> [i64; 3] {
+        let center = I64Vec2::new(i.into(), j.into()) * SUBPIXELS;
+        self.edges.each_ref().map(|edge| edge.at(center))
+    }
+
+    fn stepped_right(&self, edges: [i64; 3]) -> [i64; 3] {
+        let [bc, ca, ab] = &self.edges;
+        [edges[0] + bc.step, edges[1] + ca.step, edges[2] + ab.step]
+    }
+
+    fn covers(&self, edges: [i64; 3]) -> bool {
+        let [bc, ca, ab] = &self.edges;
+        edges[0] >= bc.threshold && edges[1] >= ca.threshold && edges[2] >= ab.threshold
+    }
+
+    /// The columns of row `j` that the triangle covers: one run, since a triangle is convex.
+    fn span(&self, columns: Range<u32>, j: u32) -> Range<u32> {
+        let start = columns.start;
+        if columns.is_empty() {
+            return columns;
+        }
+        let values = self.edges_at(start, j);
+        let mut steps = 0..i64::from(columns.end - start);
+        for (edge, value) in self.edges.iter().zip(values) {
+            edge.narrow(&mut steps, value);
+        }
+        // `steps` may have run empty with its end before its start.
+        let end = steps.end.max(steps.start);
+        start + steps.start as u32..start + end as u32
+    }
+
+    /// What the triangle leaves in pixel (i, j), from the exact edge functions at its centre.
+    ///
+    /// Both rasterizers call it with the same whole numbers: that is why their fragments are the same.
+    #[inline]
+    fn fragment(&self, i: u32, j: u32, edges: [i64; 3]) -> Fragment {
+        let areas = DVec3::new(edges[0] as f64, edges[1] as f64, edges[2] as f64);
+        // z is affine on the screen (E9). Rounding must not carry it past the vertices.
+        let z = (areas.dot(self.z) * self.inv_doubled_area).clamp(self.least_z, self.greatest_z);
+        // So are weights/w and 1/w; their quotient is the weights. All terms have one sign: nothing cancels.
+        let [a, b, c] = self.weights_over_w;
+        let weights = (areas.x * a + areas.y * b + areas.z * c) / areas.dot(self.inv_w);
+        let weights = weights.as_vec3();
+        let weights = Barycentric { alpha: weights.x, beta: weights.y, gamma: weights.z };
+        Fragment { i, j, z: z as f32, weights }
+    }
+}
+
+/// A directed edge of an anticlockwise triangle: the inside lies to its left.
+struct Edge {
+    from: I64Vec2,
+    along: I64Vec2,
+    /// The least value that counts as inside: 0 on an edge that the triangle owns, else 1.
+    threshold: i64,
+    /// What the edge function gains from one pixel to the next on the right.
+    step: i64,
+}
+
+impl Edge {
+    fn new(from: I64Vec2, to: I64Vec2) -> Self {
+        let along = to - from;
+        // Anticlockwise with y upwards: a left edge runs down, a top edge runs to the left.
+        let is_left = along.y < 0;
+        let is_top = along.y == 0 && along.x < 0;
+        let threshold = if is_left || is_top { 0 } else { 1 };
+        Self { from, along, threshold, step: -along.y * SUBPIXELS }
+    }
+
+    /// The edge function: twice the area of the triangle from the edge to `p`, positive on the left.
+    fn at(&self, p: I64Vec2) -> i64 {
+        self.along.perp_dot(p - self.from)
+    }
+
+    /// Keeps those of `steps` to the right of a place with edge function `value` that lie inside.
+    fn narrow(&self, steps: &mut Range<i64>, value: i64) {
+        let missing = self.threshold - value;
+        if self.step > 0 {
+            // value + k · step ≥ threshold from some k on.
+            if missing > 0 {
+                steps.start = steps.start.max((missing + self.step - 1) / self.step).min(steps.end);
+            }
+        } else if missing > 0 {
+            // Outside, and it does not get better to the right.
+            steps.end = steps.start;
+        } else if self.step < 0 {
+            // value + k · step ≥ threshold up to some k.
+            steps.end = steps.end.min(missing / self.step + 1);
+        }
+    }
+}
+
+/// The vertices, b and c exchanged if that makes them anticlockwise; each vertex carries its own weights, so that changes
+/// nothing else. `None` if they lie on one line.
+fn anticlockwise(triangle: &ScreenTriangle) -> Option<[ScreenVertex; 3]> {
+    let [a, b, c] = triangle.vertices;
+    let in_range = |v: &ScreenVertex| v.position.truncate().abs().max_element() <= GREATEST_PIXEL && !v.position.is_nan();
+    assert!(triangle.vertices.iter().all(in_range), "a vertex lies too far outside: {triangle:?}");
+    match triangle.doubled_area() {
+        0 => None,
+        area if area > 0 => Some([a, b, c]),
+        _ => Some([a, c, b]),
+    }
+}
+
+/// Those of `pixels` whose centres lie between two snapped coordinates, both included.
+fn pixels_between(lowest: i64, highest: i64, pixels: Range<u32>) -> Range<u32> {
+    let first = (lowest + SUBPIXELS - 1).div_euclid(SUBPIXELS).max(pixels.start.into());
+    let end = (highest.div_euclid(SUBPIXELS) + 1).min(pixels.end.into());
+    // Clamped to `pixels`, both fit in 32 bits.
+    if first < end { first as u32..end as u32 } else { pixels.start..pixels.start }
+}
