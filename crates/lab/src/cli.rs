@@ -1,0 +1,238 @@
+//! What can be typed after `cargo lab`?
+
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand};
+use scene::{Named, Renderer, Shading, Show, parse_name};
+
+/// What ended well, for the exit code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Outcome {
+    /// The command did what it was asked: 0.
+    Done,
+    /// `compare` found a difference: 1.
+    Differs,
+}
+
+const EXIT_CODES: &str = "\
+Exit codes:
+  0    done; for compare: the pictures are the same
+  1    compare: the pictures differ
+  2    error
+  130  interrupted by Ctrl-C; 143: told to terminate. No half-written file stays behind.";
+
+const RENDER_EXAMPLES: &str = "\
+Examples:
+  The teapot by all three renderers side by side, in teapot.png:
+    cargo lab render
+  One renderer, smooth edges, a file of your choice:
+    cargo lab render glass-and-mirror --renderer raytrace --samples 3 -o glass.png
+  A mesh from elsewhere; camera and light are chosen to fit it:
+    cargo lab render spot.obj --shading flat --size 800x600
+  What the depth buffer holds:
+    cargo lab render two-spheres --renderer zbuffer --show depth
+  A scene of your own:
+    cargo lab scenes teapot > mine.toml
+    cargo lab render mine.toml";
+
+const COMPARE_EXAMPLES: &str = "\
+Examples:
+  Is it the same picture?
+    cargo lab compare before.png after.png
+  Allow each channel to be one step of an 8-bit file off:
+    cargo lab compare before.png after.png --tolerance 1/255
+  Show where they differ: both pictures and a heat map, black where they agree:
+    cargo lab compare before.png after.png -o difference.png
+
+Exit code: 0 the same, 1 different, 2 error.";
+
+const SCENES_EXAMPLES: &str = "\
+Examples:
+  All built-in scenes, a line each:
+    cargo lab scenes
+  Start a scene of your own from one of them:
+    cargo lab scenes cornell-box > mine.toml
+    cargo lab render mine.toml";
+
+/// Draws scenes with three renderers: the painter's algorithm, a z-buffer and a ray tracer.
+#[derive(Debug, Parser)]
+#[command(
+    name = "lab",
+    bin_name = "cargo lab",
+    version,
+    after_help = EXIT_CODES,
+    max_term_width = 100,
+    disable_help_subcommand = true
+)]
+pub(crate) struct Cli {
+    /// Without one: the help text.
+    #[command(subcommand)]
+    pub(crate) command: Option<Command>,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Draw a scene or a mesh and write the picture to a file
+    #[command(after_help = RENDER_EXAMPLES)]
+    Render(RenderArgs),
+    /// Say whether two pictures are the same, and where they differ
+    #[command(after_help = COMPARE_EXAMPLES)]
+    Compare(CompareArgs),
+    /// List the built-in scenes, or print one as a scene file
+    #[command(after_help = SCENES_EXAMPLES)]
+    Scenes(ScenesArgs),
+}
+
+/// `cargo lab render`. What is not given here comes from the scene.
+#[derive(Args, Debug)]
+pub(crate) struct RenderArgs {
+    /// A scene file (.toml), a mesh (.obj) or the name of a built-in scene [default: the teapot]
+    #[arg(value_name = "SCENE")]
+    pub(crate) scene: Option<PathBuf>,
+
+    /// The picture file: .png (8 bits a channel), .16.png (16 bits) or .exr (OpenEXR, all the light). An existing file is
+    /// replaced, but not a read-only one; a symbolic link is followed [default: the scene's name with .png, in the current
+    /// folder]
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Draw with this renderer only [default: all three, side by side: painter, zbuffer, raytrace from left to right]
+    #[arg(long, value_name = "NAME", value_parser = named::<Renderer>())]
+    pub(crate) renderer: Option<Renderer>,
+
+    /// Where the lighting is computed: once a triangle, at its corners, or in every pixel (to the ray tracer the last two
+    /// are the same)
+    #[arg(long, value_name = "NAME", value_parser = named::<Shading>())]
+    pub(crate) shading: Option<Shading>,
+
+    /// Width and height of each renderer's picture, in pixels: 640x480, say
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub(crate) size: Option<(u32, u32)>,
+
+    /// What to show of the visible surface
+    #[arg(long, value_name = "WHAT", value_parser = named::<Show>())]
+    pub(crate) show: Option<Show>,
+
+    /// Average N × N samples in each pixel, for smooth edges
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) samples: Option<u32>,
+
+    /// Use N threads [default: one for each processor]. The picture does not depend on it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MOST_THREADS))]
+    pub(crate) threads: Option<u16>,
+
+    /// Let no object cast a shadow (only the ray tracer draws shadows)
+    #[arg(long)]
+    pub(crate) no_shadows: bool,
+
+    /// Follow light through at most N mirrors or glass surfaces (only the ray tracer does); 0: through none
+    #[arg(long, value_name = "N")]
+    pub(crate) max_depth: Option<u32>,
+}
+
+/// `cargo lab compare`.
+#[derive(Args, Debug)]
+pub(crate) struct CompareArgs {
+    /// One picture, PNG or OpenEXR
+    #[arg(value_name = "A")]
+    pub(crate) a: PathBuf,
+
+    /// The other picture, of the same size
+    #[arg(value_name = "B")]
+    pub(crate) b: PathBuf,
+
+    /// Also write a picture: A, B and a heat map of their difference, from left to right
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// The greatest difference of a channel that still counts as the same: 0 to 1, where 1 is from black to white and
+    /// 1/255 is one step of an 8-bit file. OpenEXR is compared as a screen would show it: sRGB, clamped to 0 … 1
+    #[arg(long, value_name = "T", default_value = "0", value_parser = tolerance)]
+    pub(crate) tolerance: f32,
+}
+
+/// `cargo lab scenes`.
+#[derive(Args, Debug)]
+pub(crate) struct ScenesArgs {
+    /// Print this scene as a scene file
+    #[arg(value_name = "NAME", value_parser = PossibleValuesParser::new(scene::builtin::all().iter().map(|scene| scene.name)))]
+    pub(crate) name: Option<String>,
+}
+
+/// More threads than any computer this runs on has processors; the system refuses numbers far above.
+const MOST_THREADS: i64 = 1024;
+
+/// Choices by the names that scene files use as well.
+fn named<T: Named + Send + Sync>() -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(T::ALL.iter().map(|(name, _)| *name)).try_map(|name| parse_name(&name))
+}
+
+/// `640x480` is (640, 480).
+fn size(text: &str) -> Result<(u32, u32), String> {
+    let expected = || "expected WIDTHxHEIGHT in pixels, such as 640x480".to_owned();
+    let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(expected)?;
+    let whole = |digits: &str| {
+        let decimal = !digits.is_empty() && digits.bytes().all(|digit| digit.is_ascii_digit());
+        // A number of more digits than fit is too large, whatever it is.
+        decimal.then(|| digits.parse().unwrap_or(u32::MAX))
+    };
+    let size = (
+        whole(width).ok_or_else(expected)?,
+        whole(height).ok_or_else(expected)?,
+    );
+    if size.0 == 0 || size.1 == 0 {
+        return Err("width and height must be at least 1 pixel".to_owned());
+    }
+    Ok(size)
+}
+
+/// A number or a fraction, `0.004` or `1/255`, from 0 to 1.
+fn tolerance(text: &str) -> Result<f32, String> {
+    let (above, below) = text.split_once('/').unwrap_or((text, "1"));
+    let value = above
+        .trim()
+        .parse::<f32>()
+        .and_then(|above| Ok(above / below.trim().parse::<f32>()?));
+    value
+        .ok()
+        .filter(|value| (0.0..=1.0).contains(value))
+        .ok_or_else(|| "expected a number from 0 to 1, such as 0.02 or 1/255".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_definition_holds_together() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn a_size_is_two_whole_numbers() {
+        assert_eq!(size("640x480"), Ok((640, 480)));
+        assert_eq!(size("7×3"), Ok((7, 3)));
+        assert_eq!(size("99999999999x1"), Ok((u32::MAX, 1)));
+        for wrong in [
+            "", "12", "x", "axb", "640x", "x480", "-1x5", "+1x5", "1.5x2", "1x2x3", "0x7", "7x0", "1 x 2",
+            "٣x٣",
+        ] {
+            assert!(size(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_tolerance_is_a_number_or_a_fraction() {
+        assert_eq!(tolerance("0.25"), Ok(0.25));
+        assert_eq!(tolerance("3/255"), Ok(3.0 / 255.0));
+        for wrong in [
+            "", "x", "-0.1", "1.1", "NaN", "inf", "1/0", "0/0", "1/", "/2", "1/2/3", "7/3",
+        ] {
+            assert!(tolerance(wrong).is_err(), "{wrong}");
+        }
+    }
+}
