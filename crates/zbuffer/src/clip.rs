@@ -17,7 +17,7 @@ pub const GREATEST_SIDE: u32 = 1 << 15;
 ///
 /// Well within [`GREATEST_PIXEL`](crate::screen::GREATEST_PIXEL): up to here an `f32` still tells 1/256 pixels apart, so
 /// that cutting moves no edge by more than snapping does.
-pub const GUARD_BAND: f32 = (1 << 16) as f32;
+pub const GUARD_BAND: f64 = (1 << 16) as f64;
 
 /// A triangle has 3 corners, and each of the 6 planes can add one.
 const MOST_VERTICES: usize = 9;
@@ -118,7 +118,7 @@ impl Viewport {
     /// The planes of the clipped volume: inside is where plane · (x, y, z, w) ≥ 0.
     fn planes(&self) -> [DVec4; 6] {
         // half_size · x/w + center ≤ GUARD_BAND, times −w > 0. The band is symmetric about the screen's middle.
-        let guard = (f64::from(GUARD_BAND) - self.center) / self.half_size;
+        let guard = (GUARD_BAND - self.center) / self.half_size;
         [
             DVec4::new(0.0, 0.0, 1.0, -1.0),
             DVec4::new(0.0, 0.0, -1.0, -1.0),
@@ -143,7 +143,8 @@ impl Viewport {
         let inv_w = 1.0 / vertex.position.w;
         let canonical = vertex.position.truncate() * inv_w;
         let pixel = self.half_size * canonical.truncate() + self.center;
-        // A vertex cut off at near or far has z = ±1 but for rounding.
+        // A vertex that was cut lies on its plane but for rounding.
+        let pixel = pixel.clamp(DVec2::splat(-GUARD_BAND), DVec2::splat(GUARD_BAND));
         let position = pixel.extend(canonical.z.clamp(-1.0, 1.0)).as_vec3();
         let DVec3 { x, y, z } = vertex.weights;
         let weights = Barycentric { alpha: x as f32, beta: y as f32, gamma: z as f32 };
