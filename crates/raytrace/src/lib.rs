@@ -1,2 +1,43 @@
-//! Stub.
+//! What does the eye see along a ray? Ray tracing, in image order: for every pixel, which object comes first (L21, L43).
+//!
+//! - [`viewing`]: from a pixel to its ray (L9, L46, E13).
+//! - [`triangle`]: the 3×3 system in (β, γ, t), three ways to solve it, the slide's `raytri`, and a test without leaks
+//!   (L48–L54, E10, E11).
+//! - [`sphere`] and [`plane`]: the exact surfaces.
+//! - [`world`]: objects, surfaces and lights; a [`TracedMesh`] is shared by its instances.
+//! - [`query`]: the nearest hit and any hit, by the slide's loop over everything and through a [`hierarchy`] of boxes.
+//! - [`shadow`]: does the light reach the point? (L56, E12)
+//! - [`optics`]: Snell's law and Fresnel's equations.
+//! - [`color`]: the slide's `raycolor` (L57), then the recursive one with mirrors and glass (L58).
+//! - [`picture`]: all pixels (L55), and the object under the mouse (L44).
+//!
+//! This crate knows nothing of rasterization, so that where both draw the same picture, that is evidence for both.
+//! Read [`viewing`] first, then [`triangle`], then [`query`] and [`color`].
+
 #![forbid(unsafe_code)]
+
+pub mod color;
+pub mod hierarchy;
+pub mod mesh;
+pub mod optics;
+pub mod picture;
+pub mod plane;
+pub mod query;
+pub mod shadow;
+mod space;
+pub mod sphere;
+pub mod triangle;
+pub mod viewing;
+pub mod world;
+
+pub use color::{local_color, ray_color};
+pub use geometry::Ray;
+pub use mesh::TracedMesh;
+pub use picture::{Settings, pick, render, visible};
+pub use query::{Hit, Search, any_hit, any_hit_brute, nearest, nearest_brute};
+pub use viewing::{viewing_ray, visible_interval};
+pub use world::{Interpolation, Object, ObjectError, Optics, Shape, Surface, World};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeExamples;

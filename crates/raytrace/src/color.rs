@@ -1,0 +1,161 @@
+//! What colour does a ray see? The slide's `raycolor` (L57), and what it grows into with mirrors and glass (L58).
+
+use canvas::Rgb;
+use geometry::Ray;
+use glam::Vec3;
+use lighting::{Light, SurfacePoint, lit};
+
+use crate::optics::{fresnel, mirrored, refracted};
+use crate::picture::Settings;
+use crate::query::{Hit, Search, nearest, nearest_brute};
+use crate::shadow::{is_lit, light_share};
+use crate::world::{Interpolation, Optics, World};
+
+/// The slide's `raycolor`: ambient light, and from each light that no object hides, diffuse light and highlight; the
+/// background where nothing is hit with t0 < t < t1 (L55, L57).
+///
+/// Mirrors and glass are surfaces like any other here, and shading is Phong's. [`ray_color`] has the rest.
+///
+/// ```
+/// use canvas::Rgb;
+/// use geometry::{Ray, Sphere};
+/// use glam::{Mat4, Vec3, vec3};
+/// use lighting::{Light, Material};
+/// use raytrace::{Object, Shape, Surface, World, local_color};
+///
+/// let surface = Surface::opaque(Material::matt(Rgb::new(0.5, 0.25, 1.0)));
+/// let ball = Object::new(Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0)), Mat4::IDENTITY, vec![surface])?;
+/// let sun = Light::Directional { to_light: vec3(0.0, 0.8, 0.6), color: Rgb::ONE };
+/// let world = World::new(vec![ball], vec![sun]);
+/// // At (0, 0, 1) the normal is z, so n·l = 0.6.
+/// let c = local_color(&world, &Ray::new(vec3(0.0, 0.0, 5.0), Vec3::NEG_Z), 0.0, f32::INFINITY);
+/// assert!(c.abs_diff_eq(Rgb::new(0.3, 0.15, 0.6), 1e-6));
+/// # Ok::<(), raytrace::ObjectError>(())
+/// ```
+#[must_use]
+pub fn local_color(world: &World, ray: &Ray, t0: f32, t1: f32) -> Rgb {
+    let Some(hit) = nearest(world, ray, t0, t1) else { return world.background };
+    let at = point_of_hit(world, ray, &hit);
+    let material = &world.surface(&hit).material;
+    lit(material, &world.lights, world.highlight, &at, |light| is_lit(world, ray, &hit, light))
+}
+
+/// The colour that a ray sees, recursively (L58): local light as in [`local_color`], by the world's shading, plus what
+/// mirrors reflect and what glass reflects and lets through.
+///
+/// - The ray counts hits with t0 < t < t1; the rays that it gives rise to, from 0 to infinity.
+/// - `settings.max_depth`: how many mirrors and glass surfaces may follow one another. A ray beyond that sees the
+///   background, as if it left the scene; so does a ray that hits nothing.
+/// - Glass lit from inside shows no highlight: local light counts only where a ray meets the front.
+/// - Result: linear RGB, not clamped (E8).
+#[must_use]
+pub fn ray_color(world: &World, ray: &Ray, t0: f32, t1: f32, settings: &Settings) -> Rgb {
+    let hit = match settings.search {
+        Search::Hierarchy => nearest(world, ray, t0, t1),
+        Search::BruteForce => nearest_brute(world, ray, t0, t1),
+    };
+    let Some(hit) = hit else { return world.background };
+    match world.surface(&hit).optics {
+        Optics::Opaque => light_on(world, ray, &hit, settings),
+        Optics::Mirror { reflectance } => {
+            light_on(world, ray, &hit, settings) + reflectance * reflected_color(world, ray, &hit, settings)
+        }
+        Optics::Glass { refractive_index, transmittance } => {
+            let local = if hit.is_front(ray) { light_on(world, ray, &hit, settings) } else { Rgb::ZERO };
+            local + glass_color(world, ray, &hit, (refractive_index, transmittance), settings)
+        }
+    }
+}
+
+/// Where the lighting model is evaluated with Phong shading: at the hit, with the interpolated normal (L40, E7).
+fn point_of_hit(world: &World, ray: &Ray, hit: &Hit) -> SurfacePoint {
+    surface_point(ray, hit.point, shading_normal_towards(world, ray, hit))
+}
+
+fn surface_point(ray: &Ray, p_world: Vec3, n: Vec3) -> SurfacePoint {
+    SurfacePoint { p_world, n, to_eye: (ray.origin - p_world).normalize_or(n) }
+}
+
+/// The shading normal by the one rule that turns it: if the front looks away from the ray's start, it is negated.
+fn shading_normal_towards(world: &World, ray: &Ray, hit: &Hit) -> Vec3 {
+    let n = world.shading_normal(hit);
+    if hit.is_front(ray) { n } else { -n }
+}
+
+/// The light on the hit by the world's shading. Each light's shadow is that of the hit itself, whatever the shading:
+/// interpolating shadows between corners would smear them over whole triangles.
+fn light_on(world: &World, ray: &Ray, hit: &Hit, settings: &Settings) -> Rgb {
+    let (points, count) = lighting_points(world, ray, hit);
+    let material = &world.surface(hit).material;
+    let one_light = |light: &Light| {
+        let unhindered = points[..count].iter().fold(Rgb::ZERO, |sum, (at, weight)| {
+            sum + *weight * lit(material, std::slice::from_ref(light), world.highlight, at, |_| true)
+        });
+        match light.illumination(hit.point) {
+            Some(arriving) if settings.shadows && unhindered != Rgb::ZERO => {
+                unhindered * light_share(world, ray, hit, &arriving, settings.search)
+            }
+            _ => unhindered,
+        }
+    };
+    world.lights.iter().map(one_light).sum()
+}
+
+/// Where the lighting model is evaluated, and with which weights: one point, or three for Gouraud shading (L37–L40).
+fn lighting_points(world: &World, ray: &Ray, hit: &Hit) -> ([(SurfacePoint, f32); 3], usize) {
+    let object = &world.objects()[hit.object];
+    let corners = object.corners(hit.triangle);
+    match (world.interpolation, corners) {
+        (Interpolation::Flat, Some([a, b, c])) => {
+            let centroid = (a + b + c) / 3.0;
+            ([(surface_point(ray, centroid, hit.normal_towards(ray)), 1.0); 3], 1)
+        }
+        (Interpolation::Gouraud, Some(corners)) => {
+            let normals = object.corner_normals(hit.triangle).unwrap_or([hit.normal; 3]);
+            let side = if hit.is_front(ray) { 1.0 } else { -1.0 };
+            let weights = hit.weights.to_vec3();
+            let points =
+                std::array::from_fn(|k| (surface_point(ray, corners[k], side * normals[k]), weights[k]));
+            (points, 3)
+        }
+        _ => ([(point_of_hit(world, ray, hit), 1.0); 3], 1),
+    }
+}
+
+/// What a mirror shows: the colour that the reflected ray sees.
+fn reflected_color(world: &World, ray: &Ray, hit: &Hit, settings: &Settings) -> Rgb {
+    let n = hit.normal_towards(ray);
+    let d = ray.direction.normalize_or(-n);
+    let direction = mirrored(d, shading_normal_towards(world, ray, hit));
+    // A smooth normal can mirror the ray into the flat face; then the face's own normal does it.
+    let direction = if direction.dot(n) > 0.0 { direction } else { mirrored(d, n) };
+    follow(world, Ray::new(hit.point + hit.clearance * n, direction), settings)
+}
+
+/// What glass shows: by Fresnel's share the reflected ray, for the rest the refracted one.
+///
+/// A ray enters where it meets the front and leaves where it meets the back; the surface's own geometry decides that, the
+/// smooth normal only bends.
+fn glass_color(world: &World, ray: &Ray, hit: &Hit, glass: (f32, Rgb), settings: &Settings) -> Rgb {
+    let (index, transmittance) = glass;
+    let ratio = if hit.is_front(ray) { index.recip() } else { index };
+    let n_face = hit.normal_towards(ray);
+    let d = ray.direction.normalize_or(-n_face);
+    let smooth = shading_normal_towards(world, ray, hit);
+    let n = if smooth.dot(d) < 0.0 { smooth } else { n_face };
+
+    let share = fresnel(-d.dot(n), ratio);
+    let behind = refracted(d, n, ratio).filter(|direction| direction.dot(n_face) < 0.0);
+    let Some(direction) = behind else { return reflected_color(world, ray, hit, settings) };
+    let start = hit.point - hit.clearance * n_face;
+    let passed = transmittance * follow(world, Ray::new(start, direction), settings);
+    share * reflected_color(world, ray, hit, settings) + (1.0 - share) * passed
+}
+
+/// The colour that a ray of the next generation sees; the background when there may be none.
+fn follow(world: &World, ray: Ray, settings: &Settings) -> Rgb {
+    match settings.max_depth.checked_sub(1) {
+        None => world.background,
+        Some(max_depth) => ray_color(world, &ray, 0.0, f32::INFINITY, &Settings { max_depth, ..*settings }),
+    }
+}

@@ -1,0 +1,226 @@
+//! Which object does the ray meet first, and does it meet any at all? (L43, L47, L52)
+//!
+//! Each question is answered twice: by the slide's loop over all objects, and through the hierarchies. A law holds one
+//! to the other, exactly: same object, same triangle, same t.
+
+use geometry::{Barycentric, Ray};
+use glam::Vec3;
+
+use crate::hierarchy::BoxRay;
+use crate::space::SpaceRay;
+use crate::triangle::TriangleHit;
+use crate::world::{Object, Shape, World};
+use crate::{plane, sphere};
+
+/// How to search.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Search {
+    /// Through the hierarchies of boxes.
+    #[default]
+    Hierarchy,
+    /// By the slide's loop over everything.
+    BruteForce,
+}
+
+/// What a ray met, and where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// The place on the ray, e + t·d.
+    pub t: f32,
+    /// The object, by its place in [`World::objects`].
+    pub object: usize,
+    /// The triangle of the object's mesh; 0 for a sphere or plane.
+    pub triangle: usize,
+    /// The place in the triangle; corner a for a sphere or plane.
+    pub weights: Barycentric,
+    /// The point, world space. More accurate than e + t·d: it lies on the surface, to within rounding of its coordinates.
+    pub point: Vec3,
+    /// The geometric unit normal, world space, on the front: from where a triangle's corners run anticlockwise, outside a
+    /// sphere.
+    pub normal: Vec3,
+    /// How far off the surface, along the normal, a ray that leaves here must start so as not to meet it again (E12).
+    pub clearance: f32,
+}
+
+impl Hit {
+    /// The geometric normal on the side from which `ray` came.
+    #[must_use]
+    pub fn normal_towards(&self, ray: &Ray) -> Vec3 {
+        if self.is_front(ray) { self.normal } else { -self.normal }
+    }
+
+    /// Whether `ray` sees the front.
+    #[must_use]
+    pub fn is_front(&self, ray: &Ray) -> bool {
+        self.normal.dot(ray.direction) <= 0.0
+    }
+}
+
+/// The hit with the smallest t of those with t0 < t < t1: the slide's loop over all objects (L43, L47).
+///
+/// Of several with equal t the lowest object wins, in it the lowest triangle.
+///
+/// - `ray`: world space, direction of any length.
+/// - `None` too for a ray that is not finite or has no direction.
+#[must_use]
+pub fn nearest_brute(world: &World, ray: &Ray, t0: f32, t1: f32) -> Option<Hit> {
+    let space_ray = SpaceRay::new(ray)?;
+    let mut nearest = Nearest::new(t0, t1);
+    for k in 0..world.objects().len() {
+        nearest.in_object(world, k, &space_ray, Search::BruteForce);
+    }
+    nearest.hit(world, &space_ray)
+}
+
+/// The same hit as [`nearest_brute`] finds, through the hierarchies: in the time of a few dozen boxes.
+///
+/// ```
+/// use geometry::{Mesh, Ray};
+/// use glam::{Mat4, Vec3, vec3};
+/// use raytrace::{Object, Shape, Surface, TracedMesh, World, nearest, nearest_brute};
+///
+/// let corners = vec![vec3(0.0, 0.0, 0.0), vec3(4.0, 0.0, 0.0), vec3(0.0, 8.0, 0.0)];
+/// let mesh = std::sync::Arc::new(TracedMesh::new(Mesh::new(corners, vec![[0, 1, 2]])?));
+/// let behind = Mat4::from_translation(vec3(0.0, 0.0, -3.0));
+/// let object = |at| Object::new(Shape::Mesh(mesh.clone()), at, vec![Surface::default()]);
+/// let world = World::new(vec![object(behind)?, object(Mat4::IDENTITY)?], Vec::new());
+///
+/// let ray = Ray::new(vec3(1.0, 2.0, 5.0), vec3(0.0, 0.0, -1.0));
+/// let hit = nearest(&world, &ray, 0.0, f32::INFINITY).unwrap();
+/// assert_eq!((hit.object, hit.t, hit.weights.gamma, hit.normal), (1, 5.0, 0.25, Vec3::Z));
+/// assert_eq!(nearest_brute(&world, &ray, 0.0, f32::INFINITY), Some(hit));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn nearest(world: &World, ray: &Ray, t0: f32, t1: f32) -> Option<Hit> {
+    let space_ray = SpaceRay::new(ray)?;
+    let Some(box_ray) = BoxRay::new(&space_ray) else { return nearest_brute(world, ray, t0, t1) };
+    let mut nearest = Nearest::new(t0, t1);
+    for k in world.unbounded() {
+        nearest.in_object(world, *k as usize, &space_ray, Search::Hierarchy);
+    }
+    let hierarchy = world.hierarchy();
+    hierarchy.walk(&box_ray, t0, nearest.interval().1, |leaf| {
+        for k in &hierarchy.order()[leaf] {
+            nearest.in_object(world, *k as usize, &space_ray, Search::Hierarchy);
+        }
+        nearest.interval().1
+    });
+    nearest.hit(world, &space_ray)
+}
+
+/// Whether anything is met with t0 < t < t1, by the slide's loop (L56).
+#[must_use]
+pub fn any_hit_brute(world: &World, ray: &Ray, t0: f32, t1: f32) -> bool {
+    nearest_brute(world, ray, t0, t1).is_some()
+}
+
+/// Whether anything is met with t0 < t < t1, through the hierarchies: for shadow rays, which need not know what (L56).
+#[must_use]
+pub fn any_hit(world: &World, ray: &Ray, t0: f32, t1: f32) -> bool {
+    let Some(space_ray) = SpaceRay::new(ray) else { return false };
+    let Some(box_ray) = BoxRay::new(&space_ray) else { return any_hit_brute(world, ray, t0, t1) };
+    let meets = |k: &u32| any_in_object(&world.objects()[*k as usize], &space_ray, t0, t1);
+    let mut found = world.unbounded().iter().any(meets);
+    if !found {
+        let hierarchy = world.hierarchy();
+        hierarchy.walk(&box_ray, t0, t1, |leaf| {
+            found = hierarchy.order()[leaf].iter().any(meets);
+            if found { f32::NEG_INFINITY } else { t1 }
+        });
+    }
+    found
+}
+
+fn any_in_object(object: &Object, ray: &SpaceRay, t0: f32, t1: f32) -> bool {
+    let ray = ray.transformed(object.object_from_world());
+    let between = |t: f64| t0 < t as f32 && (t as f32) < t1;
+    match object.shape() {
+        Shape::Mesh(traced) => traced.any(&ray, t0, t1),
+        Shape::Sphere(s) => sphere::crossings(&ray, s).is_some_and(|both| both.into_iter().any(between)),
+        Shape::Plane(p) => plane::crossing(&ray, p).is_some_and(between),
+    }
+}
+
+/// The best hit so far.
+pub(crate) struct Nearest {
+    t0: f32,
+    t1: f32,
+    object: u32,
+    best: Option<Candidate>,
+}
+
+#[derive(Clone, Copy)]
+struct Candidate {
+    t: f32,
+    object: u32,
+    triangle: u32,
+    weights: Barycentric,
+}
+
+impl Nearest {
+    fn new(t0: f32, t1: f32) -> Self {
+        Self { t0, t1, object: 0, best: None }
+    }
+
+    /// Where hits may lie that are still of interest, ends included: an equally near one may win the tie.
+    pub(crate) fn interval(&self) -> (f32, f32) {
+        (self.t0, self.best.map_or(self.t1, |best| best.t))
+    }
+
+    /// Takes the hit if it is better than the best so far.
+    #[inline]
+    pub(crate) fn offer(&mut self, triangle: u32, hit: TriangleHit) {
+        let key = (self.object, triangle);
+        let better = match &self.best {
+            None => self.t0 < hit.t && hit.t < self.t1,
+            Some(best) => {
+                self.t0 < hit.t
+                    && (hit.t < best.t || hit.t == best.t && key < (best.object, best.triangle))
+            }
+        };
+        if better {
+            self.best = Some(Candidate { t: hit.t, object: self.object, triangle, weights: hit.weights });
+        }
+    }
+
+    fn in_object(&mut self, world: &World, k: usize, ray: &SpaceRay, search: Search) {
+        let object = &world.objects()[k];
+        let ray = ray.transformed(object.object_from_world());
+        self.object = k as u32;
+        let mut offer = |t: f64| self.offer(0, TriangleHit { t: t as f32, weights: Barycentric::A });
+        match object.shape() {
+            Shape::Mesh(traced) if search == Search::BruteForce => traced.nearest_brute(&ray, self),
+            Shape::Mesh(traced) => traced.nearest(&ray, self),
+            Shape::Sphere(s) => sphere::crossings(&ray, s).into_iter().flatten().for_each(offer),
+            Shape::Plane(p) => {
+                if let Some(t) = plane::crossing(&ray, p) {
+                    offer(t);
+                }
+            }
+        }
+    }
+
+    fn hit(&self, world: &World, ray: &SpaceRay) -> Option<Hit> {
+        let Candidate { t, object, triangle, weights } = self.best?;
+        let (object, triangle) = (object as usize, triangle as usize);
+        let thing = &world.objects()[object];
+        let p_object = ray.transformed(thing.object_from_world()).at(f64::from(t));
+        let (point, normal) = thing.point_and_normal(triangle, weights, p_object);
+        let far = ray.origin.abs().max_element() + f64::from(t).abs() * ray.direction.abs().max_element();
+        let clearance = clearance(point.abs().max_element(), thing.scale() + far);
+        Some(Hit { t, object, triangle, weights, point: point.as_vec3(), normal, clearance })
+    }
+}
+
+/// How far off a surface a ray must start so as not to meet it again (E12).
+///
+/// The point lies on the surface but for two errors. Rounding it, and then the start of the new ray, to f32 moves each
+/// coordinate by at most 2⁻²⁴ of it, twice; along a unit normal that is at most 2·√3·2⁻²⁴ of the largest coordinate:
+/// four f32 epsilons (8·2⁻²⁴) are more than twice as much. What was computed before that, in f64, is wrong by a few
+/// times 2⁻⁵³ of the numbers involved: 2⁻⁴⁰ leaves room for thousands of roundings.
+fn clearance(largest_coordinate: f64, numbers_involved: f64) -> f32 {
+    const OF_THE_POINT: f64 = 4.0 * f32::EPSILON as f64;
+    const OF_THE_COMPUTATION: f64 = 1.0 / (1_u64 << 40) as f64;
+    (OF_THE_POINT * largest_coordinate + OF_THE_COMPUTATION * numbers_involved) as f32
+}

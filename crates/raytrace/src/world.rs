@@ -1,0 +1,354 @@
+//! What is there to see, what is it made of, and what lights it? (L22, L43)
+
+use std::sync::Arc;
+
+use canvas::Rgb;
+use geometry::{Aabb, Barycentric, Plane, Sphere, mesh::normal_matrix};
+use glam::{DAffine3, DMat4, DVec3, Mat3, Mat4, Vec3};
+use lighting::{Highlight, Light, Material};
+
+use crate::TracedMesh;
+use crate::hierarchy::Hierarchy;
+use crate::query::Hit;
+use crate::triangle::watertight::point_in_plane;
+
+/// The form of a thing, in its own space.
+#[derive(Clone, Debug)]
+pub enum Shape {
+    /// Triangles, shared by all objects that have the same ones.
+    Mesh(Arc<TracedMesh>),
+    /// An exact ball.
+    Sphere(Sphere),
+    /// An unbounded plane.
+    Plane(Plane),
+}
+
+/// What becomes of light that meets a surface, beyond the lighting model (L58).
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub enum Optics {
+    /// Only the lighting model.
+    #[default]
+    Opaque,
+    /// A mirror: the reflected ray's colour is added.
+    Mirror {
+        /// The share that is reflected, linear RGB, 0 to 1.
+        reflectance: Rgb,
+    },
+    /// Clear: the ray splits in two by Snell's law and Fresnel's equations.
+    ///
+    /// The inside is where the surface's front does not look: behind the corner order of a triangle, in the ball of a
+    /// sphere. The mesh must be closed for that to mean anything.
+    Glass {
+        /// n of the inside; the outside is air with index 1. Glass has about 1.5, water 1.33.
+        refractive_index: f32,
+        /// The tint: the share of the passing light that gets through the surface, linear RGB, 0 to 1. It counts once a
+        /// surface, so twice for a ball, and not by the length of the way inside.
+        transmittance: Rgb,
+    },
+}
+
+/// What a surface is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Surface {
+    /// What the lighting model needs (L22). A perfect mirror or clear glass has diffuse 0.
+    pub material: Material,
+    /// What goes beyond it. That the shares of both add up to at most 1 (L24) is up to whoever chooses them.
+    pub optics: Optics,
+}
+
+impl Surface {
+    /// An opaque surface.
+    #[must_use]
+    pub fn opaque(material: Material) -> Self {
+        Self { material, optics: Optics::Opaque }
+    }
+}
+
+/// Where the normal comes from that the lighting model is given, and where the model is evaluated.
+///
+/// The three shadings of the rasterizer, by the same rules: L37, L38 and L40. A corner without a normal has the face's.
+/// Spheres and planes have their exact normal in all three.
+///
+/// One rule turns normals to the eye: if the triangle's front (by its corner order, in world space) looks away from the
+/// start of the ray, *all* its normals are negated, whichever way each of them looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Interpolation {
+    /// One colour a triangle: the model at its centroid, with the normal of the face (L37).
+    Flat,
+    /// The model at the three corners with their normals, and the colours interpolated (L38).
+    Gouraud,
+    /// The normals interpolated and renormalized (E7), and the model at the point itself (L40).
+    #[default]
+    Phong,
+}
+
+/// A shape somewhere in the world.
+#[derive(Clone, Debug)]
+pub struct Object {
+    shape: Shape,
+    surfaces: Vec<Surface>,
+    world_from_object: DAffine3,
+    object_from_world: DAffine3,
+    /// Turns normals; the front of a mirrored mesh stays its front.
+    normal_matrix: Mat3,
+    /// Around the object in the world; `None` for a plane.
+    bounds: Option<Aabb>,
+    /// The size of the numbers that arise between the object's space and the world's.
+    scale: f64,
+}
+
+/// Why there is no such object.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum ObjectError {
+    /// The matrix cannot be undone, so that no ray finds into the object's space.
+    #[error("the transform {0} flattens space or is not finite: every axis must keep a length")]
+    Singular(Mat4),
+    /// The last row is not (0, 0, 0, 1).
+    #[error("the transform {0} is not affine: its last row must be 0 0 0 1")]
+    NotAffine(Mat4),
+    /// No surface was given.
+    #[error("an object needs at least one surface")]
+    NoSurface,
+    /// Its coordinates leave the range of f32.
+    #[error("the object is too large, or too far away, for 32-bit numbers")]
+    TooLarge,
+    /// A radius, centre or normal that makes no shape.
+    #[error("a sphere needs a finite centre and a positive radius, a plane a finite offset and a normal that is not zero")]
+    Degenerate,
+}
+
+impl Object {
+    /// The shape, carried into the world by an affine map.
+    ///
+    /// - `surfaces`: by the mesh's material index; an index beyond the list means the last surface. Spheres and planes
+    ///   have the first.
+    ///
+    /// # Errors
+    /// [`ObjectError`] if the map is not affine, cannot be undone or leads out of range, if there is no surface, or if
+    /// a sphere or plane is degenerate.
+    ///
+    /// ```
+    /// use geometry::Sphere;
+    /// use glam::{Mat4, Vec3, vec3};
+    /// use raytrace::{Object, Shape, Surface};
+    ///
+    /// let ball = Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0));
+    /// let egg = Mat4::from_scale(vec3(1.0, 1.4, 1.0));
+    /// assert!(Object::new(ball.clone(), egg, vec![Surface::default()]).is_ok());
+    /// assert!(Object::new(ball, Mat4::from_scale(vec3(1.0, 0.0, 1.0)), vec![Surface::default()]).is_err());
+    /// ```
+    pub fn new(shape: Shape, world_from_object: Mat4, surfaces: Vec<Surface>) -> Result<Self, ObjectError> {
+        if surfaces.is_empty() {
+            return Err(ObjectError::NoSurface);
+        }
+        if world_from_object.row(3) != glam::Vec4::W {
+            return Err(ObjectError::NotAffine(world_from_object));
+        }
+        let forth = DAffine3::from_mat4(world_from_object.as_dmat4());
+        let back = forth.inverse();
+        if !(forth.matrix3.determinant() != 0.0 && back.is_finite() && forth.is_finite()) {
+            return Err(ObjectError::Singular(world_from_object));
+        }
+        let (bounds, scale) = extent(&shape, &forth)?;
+        let normal_matrix = normal_matrix(&unit_sized(world_from_object));
+        Ok(Self { shape, surfaces, world_from_object: forth, object_from_world: back, normal_matrix, bounds, scale })
+    }
+
+    /// The shape, in its own space.
+    #[must_use]
+    pub fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    /// The surface of a triangle; see [`Object::new`] for indices beyond the list.
+    #[must_use]
+    pub fn surface(&self, triangle: usize) -> &Surface {
+        let material = match &self.shape {
+            Shape::Mesh(traced) => traced.mesh().material(triangle) as usize,
+            Shape::Sphere(_) | Shape::Plane(_) => 0,
+        };
+        &self.surfaces[material.min(self.surfaces.len() - 1)]
+    }
+
+    /// The corners of a triangle of a mesh, world space; `None` for other shapes.
+    #[must_use]
+    pub fn corners(&self, triangle: usize) -> Option<[Vec3; 3]> {
+        let Shape::Mesh(traced) = &self.shape else { return None };
+        Some(traced.mesh().triangle(triangle).corners().map(|corner| self.to_world(corner.as_dvec3()).as_vec3()))
+    }
+
+    /// The unit normals at the corners of a triangle, world space, on the side of its front; `None` for other shapes
+    /// and where the mesh has none.
+    #[must_use]
+    pub fn corner_normals(&self, triangle: usize) -> Option<[Vec3; 3]> {
+        let Shape::Mesh(traced) = &self.shape else { return None };
+        let normals = traced.mesh().corner_normals(triangle)?.map(|n| (self.normal_matrix * n).normalize_or_zero());
+        normals.iter().all(|n| *n != Vec3::ZERO).then_some(normals)
+    }
+
+    pub(crate) fn object_from_world(&self) -> &DAffine3 {
+        &self.object_from_world
+    }
+
+    pub(crate) fn bounds(&self) -> Option<Aabb> {
+        self.bounds
+    }
+
+    pub(crate) fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// The point that a ray hit near `p_object`, exactly on the surface, and the unit normal there; world space.
+    pub(crate) fn point_and_normal(&self, triangle: usize, weights: Barycentric, p_object: DVec3) -> (DVec3, Vec3) {
+        let (p, n) = match &self.shape {
+            Shape::Mesh(traced) => {
+                let corners = traced.mesh().triangle(triangle).corners();
+                let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+                (point_in_plane(&corners, weights), (b - a).cross(c - a).normalize_or_zero())
+            }
+            Shape::Sphere(sphere) => {
+                let p = crate::sphere::onto(sphere, p_object);
+                (p, (p - sphere.center.as_dvec3()).normalize_or_zero())
+            }
+            Shape::Plane(plane) => (crate::plane::onto(plane, p_object), plane.normal.as_dvec3().normalize_or_zero()),
+        };
+        let n_world = (self.normal_matrix.as_dmat3() * n).normalize_or_zero();
+        (self.to_world(p), n_world.as_vec3())
+    }
+
+    fn to_world(&self, p_object: DVec3) -> DVec3 {
+        self.world_from_object.transform_point3(p_object)
+    }
+}
+
+/// The same map up to a factor, of a size at which the products in its cofactors neither over- nor underflow.
+fn unit_sized(m: Mat4) -> Mat4 {
+    let size = Mat3::from_mat4(m).to_cols_array().into_iter().fold(0.0, |size: f32, x| size.max(x.abs()));
+    let scaled = m.as_dmat4() * DMat4::from_scale(DVec3::splat(f64::from(size).recip()));
+    scaled.as_mat4()
+}
+
+/// Rounding of a box to f32, several times over, as a share of its largest coordinate.
+const BOX_SLACK: f64 = 4.0 * f32::EPSILON as f64;
+
+/// The box around the shape in the world, and the size of the numbers on the way there.
+fn extent(shape: &Shape, world_from_object: &DAffine3) -> Result<(Option<Aabb>, f64), ObjectError> {
+    let object_box = match shape {
+        Shape::Mesh(traced) => traced.mesh().aabb(),
+        Shape::Sphere(sphere) if sphere.center.is_finite() && sphere.radius > 0.0 => sphere.aabb(),
+        Shape::Plane(plane) if plane.offset.is_finite() && plane.normal.try_normalize().is_some() => {
+            return Ok((None, world_from_object.translation.length() + f64::from(plane.offset.abs())));
+        }
+        Shape::Sphere(_) | Shape::Plane(_) => return Err(ObjectError::Degenerate),
+    };
+    if object_box.is_empty() {
+        return Ok((Some(Aabb::EMPTY), 0.0));
+    }
+    let corners = object_box.corners().map(|corner| corner.as_dvec3());
+    let sizes = corners.map(|corner| {
+        let m = &world_from_object.matrix3;
+        (m.x_axis * corner.x).abs() + (m.y_axis * corner.y).abs() + (m.z_axis * corner.z).abs()
+    });
+    let scale = sizes.into_iter().fold(0.0, |size: f64, s| size.max(s.max_element()))
+        + world_from_object.translation.abs().max_element();
+    let slack = BOX_SLACK * scale;
+    let world = corners.map(|corner| world_from_object.transform_point3(corner));
+    let min = world.into_iter().fold(DVec3::INFINITY, DVec3::min) - slack;
+    let max = world.into_iter().fold(DVec3::NEG_INFINITY, DVec3::max) + slack;
+    let bounds = Aabb { min: min.as_vec3(), max: max.as_vec3() };
+    if bounds.min.is_finite() && bounds.max.is_finite() {
+        Ok((Some(bounds), scale))
+    } else {
+        Err(ObjectError::TooLarge)
+    }
+}
+
+/// Everything that a picture is made of, but for the camera.
+#[derive(Clone, Debug)]
+pub struct World {
+    objects: Vec<Object>,
+    hierarchy: Hierarchy,
+    /// The planes, which fit into no box.
+    unbounded: Vec<u32>,
+    has_glass: bool,
+    /// Any number of lights; their light adds up (L24).
+    pub lights: Vec<Light>,
+    /// What a ray sees that hits nothing (L55).
+    pub background: Rgb,
+    /// The form of the highlight (L31, L34).
+    pub highlight: Highlight,
+    /// The shading.
+    pub interpolation: Interpolation,
+}
+
+impl World {
+    /// The world of these objects and lights, with black background, Blinn's highlight and Phong shading.
+    ///
+    /// ```
+    /// use canvas::Rgb;
+    /// use geometry::{Ray, Sphere};
+    /// use glam::{Mat4, Vec3, vec3};
+    /// use raytrace::{Object, Shape, Surface, World, nearest};
+    ///
+    /// let ball = Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0));
+    /// let moved = Mat4::from_translation(vec3(0.0, 0.0, -5.0));
+    /// let mut world = World::new(vec![Object::new(ball, moved, vec![Surface::default()])?], Vec::new());
+    /// world.background = Rgb::new(0.1, 0.2, 0.4);
+    /// assert_eq!(nearest(&world, &Ray::new(Vec3::ZERO, Vec3::NEG_Z), 0.0, 9.0).unwrap().t, 4.0);
+    /// # Ok::<(), raytrace::ObjectError>(())
+    /// ```
+    #[must_use]
+    pub fn new(objects: Vec<Object>, lights: Vec<Light>) -> Self {
+        let boxes: Vec<Aabb> = objects.iter().map(|object| object.bounds().unwrap_or(Aabb::EMPTY)).collect();
+        let unbounded = (0..objects.len()).filter(|k| objects[*k].bounds().is_none()).map(|k| k as u32).collect();
+        let is_glass = |surface: &Surface| matches!(surface.optics, Optics::Glass { .. });
+        let has_glass = objects.iter().flat_map(|object| &object.surfaces).any(is_glass);
+        Self {
+            hierarchy: Hierarchy::new(&boxes),
+            objects,
+            unbounded,
+            has_glass,
+            lights,
+            background: Rgb::ZERO,
+            highlight: Highlight::default(),
+            interpolation: Interpolation::default(),
+        }
+    }
+
+    /// The objects; a [`Hit`] names one by its place in this list.
+    #[must_use]
+    pub fn objects(&self) -> &[Object] {
+        &self.objects
+    }
+
+    /// The surface that was hit.
+    #[must_use]
+    pub fn surface(&self, hit: &Hit) -> &Surface {
+        self.objects[hit.object].surface(hit.triangle)
+    }
+
+    /// The unit normal for the lighting model, world space, on the side of the surface's front: that of the face, or,
+    /// unless shading is flat and where the mesh has normals, the interpolated and renormalized one (E7).
+    #[must_use]
+    pub fn shading_normal(&self, hit: &Hit) -> Vec3 {
+        if self.interpolation == Interpolation::Flat {
+            return hit.normal;
+        }
+        let Some([n0, n1, n2]) = self.objects[hit.object].corner_normals(hit.triangle) else { return hit.normal };
+        // Opposite normals may cancel; then they say nothing.
+        hit.weights.interpolate(n0, n1, n2).try_normalize().unwrap_or(hit.normal)
+    }
+
+    /// Whether any surface is glass: else a shadow ray need not know what it meets.
+    pub(crate) fn has_glass(&self) -> bool {
+        self.has_glass
+    }
+
+    pub(crate) fn hierarchy(&self) -> &Hierarchy {
+        &self.hierarchy
+    }
+
+    pub(crate) fn unbounded(&self) -> &[u32] {
+        &self.unbounded
+    }
+}
