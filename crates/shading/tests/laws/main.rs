@@ -1,0 +1,6 @@
+//! What must hold for every input: of normals, of single surfaces, of whole pictures.
+
+mod model;
+mod normals;
+mod pictures;
+mod surfaces;
