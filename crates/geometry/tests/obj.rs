@@ -247,6 +247,7 @@ fn bad_faces_are_refused_with_their_line() {
     );
     refuses(14, "f 1//2 2//1 3//1", "normal 2, but the file has only 1");
     refuses(14, "f 1 2 -5", "vertex -5, but only 4 came before");
+    refuses(3, "f 1 2 -1", "vertex -1, but only 0 came before");
     refuses(14, "f 1 2 -9223372036854775808", "vertex -9223372036854775808");
     refuses(14, "f 1 2 9223372036854775807", "vertex 9223372036854775807");
     refuses(14, "f 1 2 9223372036854775808", "not a whole number");

@@ -9,6 +9,7 @@
 //! become one mesh; smoothing groups are ignored, since normals say it better. Lines, points, curves and textures are
 //! left out with a warning.
 
+mod indices;
 mod material;
 mod message;
 mod mtl;

@@ -111,8 +111,14 @@ fn cut(points: &[DVec3], tests_left: &mut u64) -> Option<(Vec<[usize; 3]>, Shape
     let Some(flat) = on_its_plane(points) else {
         return Some((fan(), Shape::WithoutArea));
     };
-    if is_strictly_convex(&flat) {
-        return Some((fan(), Shape::Simple));
+    if turns_left_everywhere(&flat) {
+        // A pentagram turns left everywhere too, but goes round twice.
+        let shape = if rounds(&flat) < 1.5 {
+            Shape::Simple
+        } else {
+            Shape::CrossesItself
+        };
+        return Some((fan(), shape));
     }
     Ears::new(&flat).clip(tests_left)
 }
@@ -149,12 +155,21 @@ fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     }
 }
 
-/// Whether every corner turns left and all turns together are one round (a pentagram makes two).
-fn is_strictly_convex(points: &[DVec2]) -> bool {
+fn turns_left_everywhere(points: &[DVec2]) -> bool {
+    corners(points).all(|(a, b, c)| turn(a, b, c) > STRAIGHT)
+}
+
+/// How many rounds all turns make together: one, unless the outline crosses itself.
+fn rounds(points: &[DVec2]) -> f64 {
+    corners(points)
+        .map(|(a, b, c)| (b - a).angle_to(c - b))
+        .sum::<f64>()
+        / std::f64::consts::TAU
+}
+
+fn corners(points: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2, DVec2)> {
     let n = points.len();
-    let corners = || (0..n).map(|k| (points[k], points[(k + 1) % n], points[(k + 2) % n]));
-    corners().all(|(a, b, c)| turn(a, b, c) > STRAIGHT)
-        && corners().map(|(a, b, c)| (b - a).angle_to(c - b)).sum::<f64>() < 1.5 * std::f64::consts::TAU
+    (0..n).map(move |k| (points[k], points[(k + 1) % n], points[(k + 2) % n]))
 }
 
 /// A polygon that loses one ear after the other: a corner whose triangle holds no other corner.
@@ -368,7 +383,10 @@ mod tests {
             let (sin, cos) = (f64::from(2 * k) * std::f64::consts::TAU / 5.0).sin_cos();
             dvec3(cos, sin, 0.0)
         });
-        assert_eq!(cut_all(&star.collect::<Vec<_>>()).0.len(), 3);
+        let (triangles, shape) = cut_all(&star.collect::<Vec<_>>());
+        assert_eq!((triangles.len(), shape), (3, Shape::CrossesItself));
+        let bow_tie = [(0.0, 0.0), (4.0, 3.0), (4.0, 0.0), (0.0, 2.0)].map(|(x, y)| dvec3(x, y, 0.0));
+        assert_eq!(cut_all(&bow_tie).0.len(), 2);
         let line = [0.0, 1.0, 5.0, 2.0].map(|x| dvec3(x, 2.0 * x, 3.0));
         assert_eq!(cut_all(&line).1, Shape::WithoutArea);
         assert_eq!(cut_all(&[dvec3(1.0, 2.0, 3.0); 6]).1, Shape::WithoutArea);

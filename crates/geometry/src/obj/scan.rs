@@ -8,6 +8,7 @@
 use std::collections::HashMap;
 use std::fmt::Write;
 
+use super::indices::{Indices, Kind, Place};
 use super::message::{ObjError, Warnings, quoted};
 use super::text::{self, number};
 
@@ -55,39 +56,10 @@ impl Scan {
     }
 }
 
-/// What an index of a corner points to, in the order in which a corner has them.
-const KINDS: [Kind; 3] = [
-    Kind {
-        keyword: "v",
-        what: "vertex",
-        first: 1,
-    },
-    Kind {
-        keyword: "vt",
-        what: "texture coordinate",
-        first: 2,
-    },
-    Kind {
-        keyword: "vn",
-        what: "normal",
-        first: 2,
-    },
-];
-
-struct Kind {
-    keyword: &'static str,
-    what: &'static str,
-    /// The number that the first one of the file has in the plain text, where the zeros come before.
-    first: u64,
-}
-
 struct Scanner {
     scan: Scan,
     line: usize,
-    /// How many of each kind there have been.
-    counts: [u64; 3],
-    /// Indices that point ahead: line, kind, index.
-    ahead: Vec<(usize, usize, u64)>,
+    indices: Indices,
     material: Option<usize>,
     places: HashMap<String, usize>,
 }
@@ -108,8 +80,7 @@ impl Scanner {
         Self {
             scan,
             line: 0,
-            counts: [0; 3],
-            ahead: Vec::new(),
+            indices: Indices::default(),
             material: None,
             places: HashMap::new(),
         }
@@ -161,7 +132,7 @@ impl Scanner {
                 remedy,
             ));
         }
-        self.counts[0] += 1;
+        self.indices.add(Kind::Vertex);
         self.write(format_args!("v {} {} {}\n", p[0], p[1], p[2]));
         Ok(())
     }
@@ -173,7 +144,7 @@ impl Scanner {
             [u, v] | [u, v, _] => (u, v),
             _ => return Err(self.wrong_count("vt", numbers.len())),
         };
-        self.counts[1] += 1;
+        self.indices.add(Kind::Texture);
         self.write(format_args!("vt {u} {v}\n"));
         Ok(())
     }
@@ -183,7 +154,7 @@ impl Scanner {
         let [x, y, z] = numbers[..] else {
             return Err(self.wrong_count("vn", numbers.len()));
         };
-        self.counts[2] += 1;
+        self.indices.add(Kind::Normal);
         self.write(format_args!("vn {x} {y} {z}\n"));
         Ok(())
     }
@@ -192,9 +163,15 @@ impl Scanner {
         self.scan.plain.push('f');
         let mut corners = 0;
         for word in words {
-            let [v, vt, vn] = self.corner(word)?;
-            let zeros = |index: Option<u64>| index.unwrap_or(1);
-            self.write(format_args!(" {}/{}/{}", zeros(v), zeros(vt), zeros(vn)));
+            let place = Place {
+                file: &self.scan.source,
+                line: self.line,
+            };
+            let [v, vt, vn] = self.indices.corner(word, place)?;
+            self.scan.has_texture |= vt.is_some();
+            self.scan.has_normals |= vn.is_some();
+            let [v, vt, vn] = [v.unwrap_or(0), after_zeros(vt), after_zeros(vn)];
+            self.write(format_args!(" {v}/{vt}/{vn}"));
             corners += 1;
         }
         self.scan.plain.push('\n');
@@ -209,57 +186,6 @@ impl Scanner {
             material: self.material,
         });
         Ok(())
-    }
-
-    /// The indices v/vt/vn of a corner in the plain text.
-    fn corner(&mut self, word: &str) -> Result<[Option<u64>; 3], ObjError> {
-        let mut corner = [None; 3];
-        for (kind, part) in word.split('/').enumerate() {
-            if kind == 3 {
-                return Err(self.error(
-                    format!("corner {} has more than three indices", quoted(word)),
-                    FORM,
-                ));
-            }
-            if !part.is_empty() {
-                corner[kind] = Some(self.index(kind, part)? + KINDS[kind].first - 1);
-            }
-        }
-        if corner[0].is_none() {
-            return Err(self.error(format!("corner {} has no vertex", quoted(word)), FORM));
-        }
-        self.scan.has_texture |= corner[1].is_some();
-        self.scan.has_normals |= corner[2].is_some();
-        Ok(corner)
-    }
-
-    /// An index, counted from 1.
-    fn index(&mut self, kind: usize, part: &str) -> Result<u64, ObjError> {
-        let Kind { what, .. } = KINDS[kind];
-        let count = self.counts[kind];
-        let Ok(index) = part.parse::<i64>() else {
-            return Err(self.error(format!("index {} is not a whole number", quoted(part)), FORM));
-        };
-        if index == 0 {
-            return Err(self.error(
-                format!("{what} 0"),
-                "indices count from 1, or from -1 for the latest",
-            ));
-        }
-        if index > 0 {
-            if index.unsigned_abs() > count {
-                self.ahead.push((self.line, kind, index.unsigned_abs()));
-            }
-            return Ok(index.unsigned_abs());
-        }
-        if index.unsigned_abs() > count {
-            let problem = format!("{what} {index}, but only {count} came before this line");
-            return Err(self.error(
-                problem,
-                format!("-1 is the latest, -{} would be the first", count.max(1)),
-            ));
-        }
-        Ok(count - index.unsigned_abs() + 1)
     }
 
     fn use_material(&mut self, name: &str) -> Result<(), ObjError> {
@@ -301,20 +227,11 @@ impl Scanner {
         Ok(())
     }
 
-    /// Looks at the indices that pointed ahead, now that all is counted.
-    fn finish(mut self) -> Result<Scan, ObjError> {
-        for (line, kind, index) in std::mem::take(&mut self.ahead) {
-            let (Kind { keyword, what, .. }, count) = (&KINDS[kind], self.counts[kind]);
-            if index > count {
-                self.line = line;
-                let remedy = format!("use 1 to {count}, or add the missing '{keyword}' lines");
-                let none = format!("add '{keyword}' lines");
-                let problem = format!("{what} {index}, but the file has only {count}");
-                return Err(self.error(problem, if count == 0 { none } else { remedy }));
-            }
-        }
+    /// Looks at the text as a whole, now that all is counted.
+    fn finish(self) -> Result<Scan, ObjError> {
+        self.indices.check_ahead(&self.scan.source)?;
         if self.scan.faces.is_empty() {
-            let problem = if self.counts[0] == 0 {
+            let problem = if self.indices.count(Kind::Vertex) == 0 {
                 "no vertices and no faces"
             } else {
                 "vertices, but no faces"
@@ -344,7 +261,11 @@ impl Scanner {
     }
 
     fn error(&self, problem: impl Into<String>, remedy: impl Into<String>) -> ObjError {
-        ObjError::new(&self.scan.source, Some(self.line), problem, remedy)
+        Place {
+            file: &self.scan.source,
+            line: self.line,
+        }
+        .error(problem, remedy)
     }
 
     fn write(&mut self, words: std::fmt::Arguments<'_>) {
@@ -355,7 +276,10 @@ impl Scanner {
     }
 }
 
-const FORM: &str = "write a corner as v, v/vt, v//vn or v/vt/vn with whole numbers";
+/// The number in the plain text of a texture coordinate or normal: the zeros for corners without come first.
+fn after_zeros(index: Option<u64>) -> u64 {
+    index.map_or(1, |index| index + 1)
+}
 
 /// What a keyword that is left out stands for, if it is a known one.
 fn what(keyword: &str) -> &'static str {
