@@ -3,12 +3,20 @@
 
 pub mod builtin;
 pub mod error;
+mod frame;
+pub mod limits;
 pub mod load;
+mod mtl;
 pub mod names;
+mod nearest;
+mod parse;
+mod parse_object;
 pub mod prepare;
 pub mod render;
 pub mod scene;
-mod shading_stub;
+mod show;
+mod value;
+pub mod write;
 
 pub use builtin::Builtin;
 pub use error::SceneError;
@@ -16,5 +24,6 @@ pub use load::{Loaded, load};
 pub use names::{Named, Renderer, Show, UnknownName, parse_name};
 pub use prepare::{Prepared, prepare};
 pub use render::{RenderError, Rendered, render};
-pub use scene::{DepthBits, Lens, Object, Optics, Scene, Settings, Shape, Surface, Transform, View};
-pub use shading_stub::Shading;
+pub use scene::{Lens, Object, Scene, Settings, Shape, Transform, View};
+pub use shading::Shading;
+pub use zbuffer::DepthFormat;

@@ -3,6 +3,10 @@
 use std::fmt;
 use std::str::FromStr;
 
+use lighting::Highlight;
+use shading::Shading;
+use zbuffer::DepthFormat;
+
 /// A choice that has a name in scene files and on the command line.
 pub trait Named: Copy + PartialEq + 'static {
     /// What is being chosen, for messages: "renderer", say.
@@ -108,6 +112,26 @@ impl Named for Show {
         ("normals", Self::Normals),
         ("barycentric", Self::Barycentric),
         ("overdraw", Self::Overdraw),
+    ];
+}
+
+impl Named for Highlight {
+    const WHAT: &'static str = "form of highlight";
+    const ALL: &'static [(&'static str, Self)] = &[("blinn", Self::Blinn), ("phong", Self::Phong)];
+}
+
+impl Named for DepthFormat {
+    const WHAT: &'static str = "number of depth bits";
+    const ALL: &'static [(&'static str, Self)] =
+        &[("16", Self::Bits16), ("24", Self::Bits24), ("32", Self::F32)];
+}
+
+impl Named for Shading {
+    const WHAT: &'static str = "shading";
+    const ALL: &'static [(&'static str, Self)] = &[
+        ("flat", Self::Flat),
+        ("gouraud", Self::Gouraud),
+        ("phong", Self::Phong),
     ];
 }
 

@@ -1,16 +1,336 @@
 //! What does a renderer need? Meshes instead of names, matrices instead of lists.
 
+use std::sync::{Arc, OnceLock};
+
+use geometry::{Aabb, Mesh, MeshError, Sphere, shapes};
+use glam::{Mat4, Vec3};
+use lighting::{Light, Material, Rgb};
+use raytrace::{Optics, Surface, TracedMesh};
+use transforms::{Camera, Pipeline, ViewVolume};
+
+use crate::limits::{GREATEST_COORDINATE, MOST_TRIANGLES};
+use crate::load::Imports;
+use crate::mtl::surface_of;
+use crate::scene::{Lens, Object, Scene, Shape};
 use crate::{Loaded, RenderError};
 
 /// A scene made ready: meshes built and shared, normals there, lights normalized. Renders any number of times.
 #[derive(Debug)]
-pub struct Prepared {}
+pub struct Prepared {
+    pub(crate) parts: Vec<Part>,
+    pub(crate) lights: Vec<Light>,
+    pub(crate) background: Rgb,
+    camera: Camera,
+    lens: Lens,
+    /// The size for which a window on the near plane was given; another one changes its width.
+    size: (u32, u32),
+    /// The w-coordinates of nearest and farthest point of all objects, both negative and apart.
+    extent: (f32, f32),
+}
+
+/// One mesh and where its copies are.
+#[derive(Debug)]
+pub(crate) struct Part {
+    pub(crate) mesh: Mesh,
+    /// Whether `mesh` stands for the unit ball, which the ray tracer has exactly.
+    is_ball: bool,
+    /// What the mesh's material numbers point into; at least one.
+    pub(crate) surfaces: Vec<Surface>,
+    /// The same without optics, as rasterizers want it.
+    pub(crate) materials: Vec<Material>,
+    /// One for each copy.
+    pub(crate) world_from_object: Vec<Mat4>,
+    traced: OnceLock<Arc<TracedMesh>>,
+}
 
 /// Makes a scene ready.
 ///
 /// # Errors
-/// [`RenderError`] if the scene was changed after loading to something that cannot be built.
+/// [`RenderError`] if the scene was changed after loading to something that [`Scene::from_toml`] would refuse or that
+/// names a file that was not loaded, if there are too many triangles, or if the transforms carry an object away.
 pub fn prepare(loaded: &Loaded) -> Result<Prepared, RenderError> {
-    let _ = loaded;
-    Ok(Prepared {})
+    // The fields of a scene are public. One place knows what is allowed in it: the reader.
+    let scene = Scene::from_toml(&loaded.scene.to_toml(), "the scene in memory")?;
+    let mut budget = MOST_TRIANGLES;
+    let mut parts = Vec::new();
+    for (k, object) in scene.objects.iter().enumerate() {
+        let part = part(object, &scene, &loaded.imports)?;
+        let triangles = (part.mesh.len() * part.world_from_object.len()) as u64;
+        budget = budget
+            .checked_sub(triangles)
+            .ok_or(RenderError::TooManyTriangles { object: k })?;
+        part.check_place(k)?;
+        parts.push(part);
+    }
+    let view = scene.camera;
+    let camera = Camera::look_at(view.eye, view.target, view.up)?;
+    Ok(Prepared {
+        extent: extent(&camera, &parts),
+        parts,
+        lights: scene.lights.iter().map(normalized).collect(),
+        background: scene.background,
+        camera,
+        lens: view.lens,
+        size: scene.settings.size,
+    })
+}
+
+impl Prepared {
+    /// The camera with its viewing volume, for a picture of `width` × `height` pixels.
+    ///
+    /// A picture of another shape than the scene's sees as much from bottom to top; what it sees from left to right
+    /// follows from its width.
+    ///
+    /// # Errors
+    /// [`RenderError`] if there is no pixel, or if the planes are so far apart that the matrices overflow.
+    pub fn pipeline(&self, width: u32, height: u32) -> Result<Pipeline, RenderError> {
+        let aspect = width as f32 / height.max(1) as f32;
+        let volume = match self.lens {
+            Lens::FieldOfView { degrees, near, far } => {
+                let (near, far) = self.planes(near, far);
+                ViewVolume::from_fov_y(degrees.to_radians(), aspect, near, far)?
+            }
+            Lens::Window(window) => {
+                let widened = aspect * self.size.1 as f32 / self.size.0 as f32;
+                let middle = 0.5 * (window.left + window.right);
+                ViewVolume {
+                    left: middle + widened * (window.left - middle),
+                    right: middle + widened * (window.right - middle),
+                    ..window
+                }
+            }
+        };
+        Ok(Pipeline::new(self.camera, volume, width, height)?)
+    }
+
+    /// How many triangles a rasterizer has to draw, every copy counted.
+    #[must_use]
+    pub fn triangle_count(&self) -> usize {
+        self.parts
+            .iter()
+            .map(|part| part.mesh.len() * part.world_from_object.len())
+            .sum()
+    }
+
+    /// Whether there is a mirror or glass.
+    pub(crate) fn has_optics(&self) -> bool {
+        self.parts
+            .iter()
+            .flat_map(|part| &part.surfaces)
+            .any(|surface| surface.optics != Optics::Opaque)
+    }
+
+    /// Near and far plane as given, or fitted to the objects where they are not.
+    fn planes(&self, near: Option<f32>, far: Option<f32>) -> (f32, f32) {
+        let (nearest, farthest) = self.extent;
+        let fitted_far = near.map_or(farthest, |near| farthest.min(2.0 * near));
+        let far = far.unwrap_or(fitted_far);
+        let near = near.unwrap_or_else(|| {
+            let fitted = if nearest > far { nearest } else { 0.5 * far };
+            fitted.min(far / FARTHEST_OVER_NEAREST)
+        });
+        (near, far)
+    }
+}
+
+/// How many times as far as the near plane the far plane may be fitted. Depth resolution is lost by this factor (L20): with
+/// 1000, a 16-bit buffer still tells apart 1.5 % of the depth at the far end.
+const FARTHEST_OVER_NEAREST: f32 = 1000.0;
+
+/// Room between the objects and the fitted planes, so that rounding cuts nothing off.
+const ROOM: f32 = 0.01;
+
+/// The w-coordinates between which all boxes around objects lie, as far as they lie before the eye.
+fn extent(camera: &Camera, parts: &[Part]) -> (f32, f32) {
+    let camera_from_world = camera.camera_from_world();
+    let w = |p_world: Vec3| camera_from_world.transform_point3(p_world).z;
+    let corners = parts.iter().flat_map(Part::corners_world);
+    let (farthest, nearest) = corners
+        .map(w)
+        .fold((f32::INFINITY, f32::NEG_INFINITY), |(far, near), w| {
+            (far.min(w), near.max(w))
+        });
+    if farthest >= 0.0 || !farthest.is_finite() {
+        // Nothing to see; any volume will do.
+        return (-1.0, -10.0);
+    }
+    let far = (1.0 + ROOM) * farthest;
+    let near = (1.0 - ROOM) * nearest;
+    (near.min(far / FARTHEST_OVER_NEAREST), far)
+}
+
+fn normalized(light: &Light) -> Light {
+    match *light {
+        Light::Directional { to_light, color } => Light::Directional {
+            to_light: to_light.normalize_or(Vec3::Y),
+            color,
+        },
+        other => other,
+    }
+}
+
+/// The mesh, surfaces and places of one object.
+fn part(object: &Object, scene: &Scene, imports: &Imports) -> Result<Part, RenderError> {
+    let mesh =
+        shading::with_vertex_normals(mesh(&object.shape, imports)?, object.crease_degrees.to_radians());
+    let surfaces = match &object.material {
+        // The reader has seen to it that the name is known.
+        Some(name) => vec![scene.materials.get(name).copied().unwrap_or_default()],
+        None => file_surfaces(&object.shape, imports),
+    };
+    let world_from_shape = product(&object.transforms);
+    let shape_from_object = Mat4::from_scale(Vec3::splat(radius(&object.shape)));
+    let placed = |copy: Mat4| copy * world_from_shape * shape_from_object;
+    let world_from_object = if object.instances.is_empty() {
+        vec![placed(Mat4::IDENTITY)]
+    } else {
+        object
+            .instances
+            .iter()
+            .map(|copy| placed(product(copy)))
+            .collect()
+    };
+    Ok(Part {
+        mesh,
+        is_ball: matches!(object.shape, Shape::Sphere { .. }),
+        materials: surfaces.iter().map(|surface| surface.material).collect(),
+        surfaces,
+        world_from_object,
+        traced: OnceLock::new(),
+    })
+}
+
+impl Part {
+    /// The shape as the ray tracer wants it. A mesh's hierarchy is built the first time and shared by all copies.
+    pub(crate) fn traced_shape(&self) -> raytrace::Shape {
+        if self.is_ball {
+            return raytrace::Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0));
+        }
+        let traced = self
+            .traced
+            .get_or_init(|| Arc::new(TracedMesh::new(self.mesh.clone())));
+        raytrace::Shape::Mesh(traced.clone())
+    }
+
+    /// The corners of the boxes around all copies.
+    fn corners_world(&self) -> impl Iterator<Item = Vec3> + '_ {
+        let Aabb { min, max } = self.mesh.aabb();
+        let corner = move |k: u32| {
+            let side = |axis: usize| if k >> axis & 1 == 0 { min[axis] } else { max[axis] };
+            Vec3::new(side(0), side(1), side(2))
+        };
+        let is_empty = self.mesh.is_empty();
+        self.world_from_object
+            .iter()
+            .filter(move |_| !is_empty)
+            .flat_map(move |matrix| (0..8).map(move |k| matrix.transform_point3(corner(k))))
+    }
+
+    /// Refuses an object that its transforms carry out of the range in which `f32` can compute with areas.
+    fn check_place(&self, object: usize) -> Result<(), RenderError> {
+        let is_near = |p: Vec3| p.abs().max_element() <= GREATEST_COORDINATE;
+        let finite = self.world_from_object.iter().all(Mat4::is_finite);
+        if finite && self.corners_world().all(is_near) {
+            Ok(())
+        } else {
+            Err(RenderError::FarAway { object })
+        }
+    }
+}
+
+fn product(transforms: &[crate::Transform]) -> Mat4 {
+    transforms
+        .iter()
+        .fold(Mat4::IDENTITY, |before, transform| transform.matrix() * before)
+}
+
+/// The radius by which a unit shape is scaled.
+fn radius(shape: &Shape) -> f32 {
+    match *shape {
+        Shape::Sphere { radius, .. } | Shape::UvSphere { radius, .. } | Shape::Icosphere { radius, .. } => {
+            radius
+        }
+        _ => 1.0,
+    }
+}
+
+/// Without a material of its own, an OBJ file's are taken, and grey for everything else.
+fn file_surfaces(shape: &Shape, imports: &Imports) -> Vec<Surface> {
+    let import = if let Shape::Obj { path, .. } = shape {
+        imports.get(path)
+    } else {
+        None
+    };
+    match import {
+        Some(import) if !import.materials.is_empty() => import.materials.iter().map(surface_of).collect(),
+        _ => vec![Surface::default()],
+    }
+}
+
+fn mesh(shape: &Shape, imports: &Imports) -> Result<Mesh, RenderError> {
+    Ok(match shape {
+        Shape::Sphere { level, .. } | Shape::Icosphere { level, .. } => shapes::icosphere(*level)?,
+        Shape::UvSphere { level, .. } => shapes::uv_sphere(*level)?,
+        Shape::Cuboid { size, level } => shapes::cuboid(*size, *level)?,
+        Shape::Torus { major, minor, level } => shapes::torus(*major, *minor, *level)?,
+        Shape::Disc { radius, level } => shapes::disc(*radius, *level)?,
+        Shape::Teapot { level } => shapes::teapot(*level)?,
+        Shape::Polygons { polygons } => fans(polygons)?,
+        Shape::Obj { path, fit } => {
+            let import = imports
+                .get(path)
+                .ok_or_else(|| RenderError::NotLoaded { path: path.clone() })?;
+            if *fit {
+                fitted(&import.mesh)?
+            } else {
+                import.mesh.clone()
+            }
+        }
+    })
+}
+
+/// Each polygon as a fan around its first corner.
+fn fans(polygons: &[Vec<Vec3>]) -> Result<Mesh, MeshError> {
+    let mut triangles = Vec::new();
+    let mut first = 0_u32;
+    for polygon in polygons {
+        let corners = polygon.len() as u32;
+        triangles.extend((1..corners.saturating_sub(1)).map(|k| [first, first + k, first + k + 1]));
+        first += corners;
+    }
+    Mesh::new(polygons.concat(), triangles)
+}
+
+/// The mesh with the middle of its box at the origin and a half diagonal of 1; a mesh in one point is only moved.
+///
+/// In f64, so that meshes of any size and at any distance from the origin keep all the digits they have.
+pub(crate) fn fitted(mesh: &Mesh) -> Result<Mesh, MeshError> {
+    let bounds = mesh.aabb();
+    if bounds.is_empty() {
+        return Ok(mesh.clone());
+    }
+    let (min, max) = (bounds.min.as_dvec3(), bounds.max.as_dvec3());
+    let (center, half_diagonal) = (0.5 * (min + max), 0.5 * (max - min).length());
+    let scale = if half_diagonal > 0.0 {
+        half_diagonal.recip()
+    } else {
+        1.0
+    };
+    // A position that no triangle uses may lie anywhere, also where it overflows; it is never seen.
+    let place = |p: &Vec3| {
+        (scale * (p.as_dvec3() - center))
+            .as_vec3()
+            .clamp(Vec3::MIN, Vec3::MAX)
+    };
+    let mut fitted = Mesh::new(
+        mesh.positions().iter().map(place).collect(),
+        mesh.triangles().to_vec(),
+    )?;
+    if let Some(normals) = mesh.normals() {
+        fitted = fitted.with_normals(normals.clone())?;
+    }
+    if let Some(coordinates) = mesh.texture_coordinates() {
+        fitted = fitted.with_texture_coordinates(coordinates.clone())?;
+    }
+    fitted.with_materials((0..mesh.len()).map(|k| mesh.material(k)).collect())
 }

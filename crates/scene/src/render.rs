@@ -1,15 +1,24 @@
-//! One function, any renderer.
+//! How does a scene become a picture? One function, any renderer.
 
 use canvas::Image;
+use raytrace::Interpolation;
+use shading::{Frame, Shading, Visibility};
+use transforms::Pipeline;
+use zbuffer::clip::GREATEST_SIDE as GREATEST_SCREEN;
 
-use crate::{Prepared, Settings};
+use crate::error::SceneError;
+use crate::limits::{
+    GREATEST_DEPTH, GREATEST_SAMPLES, GREATEST_SIDE, MOST_PAINTED, MOST_PIXELS, MOST_SAMPLES,
+};
+use crate::show::{self, Seen};
+use crate::{Prepared, Renderer, Settings, Show};
 
 /// A picture and what is to be said about it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rendered {
-    /// The picture, linear RGB.
+    /// The picture, linear RGB. Where it shows numbers ([`Show`]), they are decoded, so that a PNG file has them in it.
     pub image: Image,
-    /// What the renderer met: "painter: 1 occlusion cycle, 2 pieces split", say. One sentence each.
+    /// What the renderer met: "painter: 1 occlusion cycle, 2 cuts", say. One sentence each.
     pub notes: Vec<String>,
 }
 
@@ -17,26 +26,293 @@ pub struct Rendered {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RenderError {
-    /// Camera, window or size make no pipeline.
+    /// The scene was changed in memory to something that its reader refuses.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// An OBJ file was named after the scene was loaded.
+    #[error("{path} was not loaded with the scene")]
+    NotLoaded {
+        /// The path as the scene has it.
+        path: String,
+    },
+    /// An object's transforms carry it out of the range in which areas can be computed.
+    #[error(
+        "object {object} (counted from 0) reaches beyond {:e}: scale it down, or give its OBJ file `fit = true`",
+        crate::limits::GREATEST_COORDINATE
+    )]
+    FarAway {
+        /// Its place in the scene.
+        object: usize,
+    },
+    /// More than [`MOST_TRIANGLES`](crate::limits::MOST_TRIANGLES).
+    #[error(
+        "with object {object} (counted from 0) there are more than {} triangles",
+        crate::limits::MOST_TRIANGLES
+    )]
+    TooManyTriangles {
+        /// The object that is too much.
+        object: usize,
+    },
+    /// More than [`MOST_PAINTED`] triangles for the painter's algorithm.
+    #[error(
+        "the painter's algorithm compares triangles in pairs and takes at most {MOST_PAINTED}; the scene has {triangles}: use zbuffer or raytrace"
+    )]
+    TooManyToPaint {
+        /// How many there are.
+        triangles: usize,
+    },
+    /// A setting out of range.
+    #[error("{name} is {value}; it must be from {least} to {greatest}")]
+    Setting {
+        /// Which one.
+        name: &'static str,
+        /// Its value.
+        value: u32,
+        /// The least that is allowed.
+        least: u32,
+        /// The most that is allowed.
+        greatest: u32,
+    },
+    /// The picture, or its samples, would not fit in memory.
+    #[error(
+        "{width} × {height} pixels with {samples} × {samples} samples each are too many at once; at most {most}"
+    )]
+    TooManyPixels {
+        /// Width in pixels.
+        width: u32,
+        /// Height in pixels.
+        height: u32,
+        /// Samples along each side of a pixel.
+        samples: u32,
+        /// The most pixels, or samples for a rasterizer, there may be.
+        most: u64,
+    },
+    /// Eye, target and up make no camera.
+    #[error(transparent)]
+    Camera(#[from] transforms::DegenerateCamera),
+    /// Angle and planes make no viewing volume.
+    #[error(transparent)]
+    Volume(#[from] transforms::DegenerateVolume),
+    /// Volume and size make no pipeline.
     #[error(transparent)]
     Pipeline(#[from] transforms::DegeneratePipeline),
+    /// A shape's sizes make no surface.
+    #[error(transparent)]
+    Shape(#[from] geometry::shapes::ShapeError),
+    /// Corners make no mesh.
+    #[error(transparent)]
+    Mesh(#[from] geometry::MeshError),
+    /// A transform that the ray tracer cannot undo.
+    #[error(transparent)]
+    Object(#[from] raytrace::ObjectError),
 }
 
 /// Renders with `settings`, which need not be those of the scene.
 ///
-/// - `progress`: called from any thread with the share that is done, 0 to 1, rising.
+/// All renderers show the same surfaces in the same pixels (L21); what only the ray tracer does, shadows, mirrors and glass,
+/// is said in the notes of the others. Rasterizers take n × n samples by drawing a picture n times as large and averaging,
+/// so their samples lie where the ray tracer's do. Pictures of numbers ([`Show`]) take one sample, for a mean of depths or
+/// normals of different surfaces is the depth or normal of none.
+///
+/// - `progress`: called from any thread with the share that is done, 0 to 1. The last call is with 1.
 ///
 /// # Errors
 /// [`RenderError`] if a setting is out of range or the picture would not fit in memory.
+///
+/// ```
+/// use scene::{Settings, Show, builtin, prepare, render};
+///
+/// let loaded = builtin::find("two-spheres").unwrap().load()?;
+/// let settings = Settings { size: (48, 36), show: Show::Depth, ..loaded.scene.settings };
+/// let rendered = render(&prepare(&loaded)?, &settings, &|_| ())?;
+/// assert_eq!((rendered.image.width(), rendered.image.height()), (48, 36));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn render(
     prepared: &Prepared,
     settings: &Settings,
     progress: &(dyn Fn(f32) + Sync),
 ) -> Result<Rendered, RenderError> {
-    let _ = prepared;
+    settings.check()?;
+    let (width, height) = settings.size;
+    let mut notes = Vec::new();
+    let image = match (settings.renderer, settings.show) {
+        (Renderer::Raytrace, Show::Color) => {
+            trace(prepared, settings, &prepared.pipeline(width, height)?, progress)?
+        }
+        (Renderer::Raytrace, _) => {
+            let pipeline = prepared.pipeline(width, height)?;
+            let world = traced_world(prepared, settings)?;
+            let hits = raytrace::visible(&world, &pipeline);
+            let seen = hits
+                .iter()
+                .map(|hit| hit.as_ref().map(|hit| Seen::hit(&world, &pipeline, hit)))
+                .collect();
+            show::picture(settings.show, (width, height), seen, &mut notes)
+        }
+        (_, Show::Color) => {
+            let n = settings.samples;
+            let frame = rasterized(
+                prepared,
+                settings,
+                &prepared.pipeline(width * n, height * n)?,
+                &mut notes,
+            )?;
+            frame.image.box_downsampled(n)
+        }
+        (_, _) => {
+            let frame = rasterized(prepared, settings, &prepared.pipeline(width, height)?, &mut notes)?;
+            show::picture(settings.show, (width, height), Seen::all(&frame), &mut notes)
+        }
+    };
     progress(1.0);
-    Ok(Rendered {
-        image: Image::new(settings.size.0, settings.size.1, canvas::Rgb::ZERO),
-        notes: Vec::new(),
-    })
+    Ok(Rendered { image, notes })
+}
+
+impl Settings {
+    /// Refuses what is out of range or does not fit in memory.
+    fn check(&self) -> Result<(), RenderError> {
+        let (width, height) = self.size;
+        for (name, value, least, greatest) in [
+            ("the width", width, 1, GREATEST_SIDE),
+            ("the height", height, 1, GREATEST_SIDE),
+            ("the number of samples", self.samples, 1, GREATEST_SAMPLES),
+            ("the depth of recursion", self.max_depth, 0, GREATEST_DEPTH),
+        ] {
+            if !(least..=greatest).contains(&value) {
+                return Err(RenderError::Setting {
+                    name,
+                    value,
+                    least,
+                    greatest,
+                });
+            }
+        }
+        // The ray tracer adds a pixel's samples up one by one; a rasterizer keeps them all.
+        let keeps_samples = self.renderer != Renderer::Raytrace && self.show == Show::Color;
+        let kept = if keeps_samples { self.samples } else { 1 };
+        let pixels = u64::from(width) * u64::from(height);
+        let samples = pixels * u64::from(kept) * u64::from(kept);
+        let too_many = |most| RenderError::TooManyPixels {
+            width,
+            height,
+            samples: kept,
+            most,
+        };
+        if pixels > MOST_PIXELS {
+            return Err(too_many(MOST_PIXELS));
+        }
+        if self.renderer != Renderer::Raytrace && samples > MOST_SAMPLES {
+            return Err(too_many(MOST_SAMPLES));
+        }
+        if self.renderer != Renderer::Raytrace && width.max(height) * kept > GREATEST_SCREEN {
+            return Err(too_many(MOST_SAMPLES));
+        }
+        Ok(())
+    }
+}
+
+/// The picture in image order.
+fn trace(
+    prepared: &Prepared,
+    settings: &Settings,
+    pipeline: &Pipeline,
+    progress: &(dyn Fn(f32) + Sync),
+) -> Result<Image, RenderError> {
+    let world = traced_world(prepared, settings)?;
+    let rays = raytrace::Settings {
+        samples: settings.samples,
+        shadows: settings.shadows,
+        max_depth: settings.max_depth,
+        ..raytrace::Settings::default()
+    };
+    let rows = pipeline.height() as f32;
+    Ok(raytrace::render(&world, pipeline, &rays, &|done| {
+        progress(done as f32 / rows)
+    }))
+}
+
+fn traced_world(prepared: &Prepared, settings: &Settings) -> Result<raytrace::World, RenderError> {
+    let mut objects = Vec::new();
+    for part in &prepared.parts {
+        for world_from_object in &part.world_from_object {
+            let object =
+                raytrace::Object::new(part.traced_shape(), *world_from_object, part.surfaces.clone())?;
+            objects.push(object);
+        }
+    }
+    let mut world = raytrace::World::new(objects, prepared.lights.clone());
+    world.background = prepared.background;
+    world.highlight = settings.highlight;
+    world.interpolation = match settings.shading {
+        Shading::Flat => Interpolation::Flat,
+        Shading::Gouraud => Interpolation::Gouraud,
+        Shading::Phong => Interpolation::Phong,
+    };
+    Ok(world)
+}
+
+/// The frame in object order.
+fn rasterized(
+    prepared: &Prepared,
+    settings: &Settings,
+    pipeline: &Pipeline,
+    notes: &mut Vec<String>,
+) -> Result<Frame, RenderError> {
+    let visibility = if settings.renderer == Renderer::Painter {
+        let triangles = prepared.triangle_count();
+        if triangles > MOST_PAINTED {
+            return Err(RenderError::TooManyToPaint { triangles });
+        }
+        Visibility::Painter
+    } else {
+        Visibility::ZBuffer(settings.depth_bits)
+    };
+    let mut objects = Vec::new();
+    for part in &prepared.parts {
+        objects.extend(
+            part.world_from_object
+                .iter()
+                .map(|world_from_object| shading::Object {
+                    mesh: &part.mesh,
+                    world_from_object: *world_from_object,
+                    materials: &part.materials,
+                }),
+        );
+    }
+    let world = shading::World {
+        objects: &objects,
+        lights: &prepared.lights,
+        background: prepared.background,
+        highlight: settings.highlight,
+    };
+    let frame = shading::render(&world, pipeline, settings.shading, visibility);
+    notes.extend(frame.painter.as_ref().and_then(painters_note));
+    if prepared.has_optics() && settings.show == Show::Color {
+        notes.push(format!(
+            "{}: mirrors and glass have only their own colour here; the ray tracer follows the light",
+            settings.renderer
+        ));
+    }
+    Ok(frame)
+}
+
+/// What stood in the painter's way, if anything did.
+fn painters_note(report: &shading::PainterReport) -> Option<String> {
+    let cycles = report.cycles.len();
+    let first = report.cycles.first()?;
+    let names: Vec<String> = first
+        .iter()
+        .take(4)
+        .map(|(object, triangle)| format!("triangle {triangle} of object {object}"))
+        .collect();
+    let more = if first.len() > names.len() { ", …" } else { "" };
+    let plural = |count: usize| if count == 1 { "" } else { "s" };
+    Some(format!(
+        "painter: {cycles} occlusion cycle{} ({}{more}), broken by {} cut{}",
+        plural(cycles),
+        names.join(", "),
+        report.splits,
+        plural(report.splits)
+    ))
 }

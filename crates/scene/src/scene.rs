@@ -6,12 +6,12 @@
 use std::collections::BTreeMap;
 
 use glam::{Mat4, Vec3};
-use lighting::{Light, Material};
+use lighting::{Light, Rgb};
+use raytrace::Surface;
+use shading::Shading;
+use zbuffer::DepthFormat;
 
-use crate::{Renderer, Shading, Show};
-
-/// A colour in linear RGB.
-pub use lighting::Rgb;
+use crate::{Renderer, Show};
 
 /// Everything that a scene file says.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +22,7 @@ pub struct Scene {
     pub background: Rgb,
     /// The lights; `to_light` of a directional one may have any length but 0, [`crate::prepare`] makes it a unit vector.
     pub lights: Vec<Light>,
-    /// The surfaces by name.
+    /// The surfaces by name. Only the ray tracer follows mirrors and glass (L58).
     pub materials: BTreeMap<String, Surface>,
     /// The objects, in the order of the file.
     pub objects: Vec<Object>,
@@ -57,35 +57,6 @@ pub enum Lens {
     },
     /// l, r, b, t, n, f as on the slides (L3, L7).
     Window(transforms::ViewVolume),
-}
-
-/// How light leaves a surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Surface {
-    /// Diffuse colour, highlight and exponent.
-    pub material: Material,
-    /// What it does besides: nothing, mirror or refract. Only the ray tracer follows that (L58).
-    pub optics: Optics,
-}
-
-/// What a surface does besides scattering light.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Optics {
-    /// Nothing.
-    #[default]
-    Opaque,
-    /// It mirrors the share `reflectance` of the light, each channel 0 to 1.
-    Mirror {
-        /// The mirrored share, linear RGB.
-        reflectance: Rgb,
-    },
-    /// It lets light through, bent by Snell's law.
-    Glass {
-        /// The refractive index against air, at least 1.
-        refractive_index: f32,
-        /// The share of light that passes, linear RGB, each channel 0 to 1.
-        tint: Rgb,
-    },
 }
 
 /// A shape with a material, once or several times.
@@ -207,19 +178,7 @@ pub struct Settings {
     /// Which highlight (E4).
     pub highlight: lighting::Highlight,
     /// How finely the depth buffer tells depths apart (L20; z-buffer only).
-    pub depth_bits: DepthBits,
-}
-
-/// The precision of a depth buffer.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum DepthBits {
-    /// 2^16 steps.
-    Sixteen,
-    /// 2^24 steps.
-    TwentyFour,
-    /// `f32`.
-    #[default]
-    ThirtyTwo,
+    pub depth_bits: DepthFormat,
 }
 
 impl Default for Settings {
@@ -233,8 +192,29 @@ impl Default for Settings {
             shadows: true,
             max_depth: 8,
             highlight: lighting::Highlight::default(),
-            depth_bits: DepthBits::default(),
+            depth_bits: DepthFormat::F32,
         }
+    }
+}
+
+impl Shape {
+    /// How many triangles one copy has; `None` for an OBJ file, which has to be read first.
+    #[must_use]
+    pub fn triangle_count(&self) -> Option<u64> {
+        // 2^level; the formulas are those of `geometry::shapes`.
+        let m = |level: u32| 1_u64 << level.min(31);
+        Some(match *self {
+            Self::Sphere { level, .. } | Self::Icosphere { level, .. } => 20 * m(level).pow(2),
+            Self::UvSphere { level, .. } => 4 * m(level) * (4 * m(level) - 2),
+            Self::Cuboid { level, .. } => 12 * m(level).pow(2),
+            Self::Torus { level, .. } => 64 * m(level).pow(2),
+            Self::Disc { level, .. } => 6 * m(level) * (2 * m(level) - 1),
+            Self::Teapot { level } => 256 * m(level).pow(2) - 16 * m(level),
+            Self::Polygons { ref polygons } => {
+                polygons.iter().map(|p| p.len().saturating_sub(2) as u64).sum()
+            }
+            Self::Obj { .. } => return None,
+        })
     }
 }
 
