@@ -1,0 +1,231 @@
+//! What if there is no order? Cut polygons until there is one, after Newell, Newell and Sancha.
+
+use std::sync::Arc;
+
+use super::cycle::OcclusionCycle;
+use super::facet::Facet;
+use super::graph::Graph;
+use super::order::order;
+use super::part::{Part, Position};
+use super::piece::Piece;
+use crate::screen::ScreenTriangle;
+
+/// What to draw over what, so that each pixel shows the nearest triangle. Made by [`plan`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// Triangles and parts of triangles, from back to front. Together they have each pixel of each triangle once.
+    pub pieces: Vec<Piece>,
+    /// What made cuts necessary: every pair of triangles that pass through each other, then a shortest cycle for each
+    /// group of other triangles that hide each other in cycles (L14). Empty if [`order`] finds an order. If there are
+    /// too many overlaps to keep (four million), only the first cycle that was found.
+    pub cycles: Vec<OcclusionCycle>,
+    /// How many times a triangle or a part of one was cut in two.
+    pub splits: usize,
+}
+
+/// A drawing order that always exists: where [`order`] meets a cycle or triangles that pass through each other, polygons
+/// are cut along the planes of others (Newell).
+///
+/// Without cycles the pieces are the whole triangles, in the order of [`order`]. Only triangles on cycles are cut, and
+/// only if they reach through the plane that cuts. Triangles that all pass through each other still give a number of
+/// pieces that grows with the square of theirs, as the picture itself can.
+///
+/// # Panics
+/// As [`order`].
+#[must_use]
+pub fn plan(triangles: &[ScreenTriangle]) -> Plan {
+    match order(triangles) {
+        Ok(order) => Plan {
+            pieces: order.into_iter().map(Piece::whole).collect(),
+            cycles: Vec::new(),
+            splits: 0,
+        },
+        Err(cycle) => plan_with_cuts(triangles, cycle),
+    }
+}
+
+fn plan_with_cuts(triangles: &[ScreenTriangle], first_cycle: OcclusionCycle) -> Plan {
+    let facets: Vec<_> = triangles
+        .iter()
+        .map(|triangle| Facet::new(triangle).map(Arc::new))
+        .collect();
+    let cycles = cycles(&facets).unwrap_or_else(|| vec![first_cycle]);
+    let mut untangling = Untangling::default();
+    let mut parts = Vec::new();
+    for (k, facet) in facets.into_iter().enumerate() {
+        match facet {
+            Some(facet) => parts.push(Part::whole(k, facet)),
+            // Without area it hides nothing and draws nothing.
+            None => untangling.pieces.push(Piece::whole(k)),
+        }
+    }
+    untangling.untangle(parts);
+    Plan {
+        pieces: untangling.pieces,
+        cycles,
+        splits: untangling.splits,
+    }
+}
+
+/// What stands in the way of an order. `None` if there are too many overlaps to keep.
+fn cycles(facets: &[Option<Arc<Facet>>]) -> Option<Vec<OcclusionCycle>> {
+    let parts: Vec<_> = facets
+        .iter()
+        .enumerate()
+        .filter_map(|(k, facet)| Some(Part::whole(k, facet.clone()?)))
+        .collect();
+    let graph = graph_of(&parts)?;
+    let name = |k: usize| parts[k].triangle();
+    let mut cycles: Vec<_> = graph
+        .piercing_pairs()
+        .into_iter()
+        .map(|(a, b)| OcclusionCycle {
+            polygons: vec![name(a), name(b)],
+        })
+        .collect();
+    let rest = graph.without_piercing_pairs();
+    for component in rest.components() {
+        let cycle = OcclusionCycle::shortest_through(component[0], |front| rest.behind(front));
+        cycles.extend(cycle.map(|cycle| OcclusionCycle {
+            polygons: cycle.polygons.into_iter().map(name).collect(),
+        }));
+    }
+    Some(cycles)
+}
+
+fn graph_of(parts: &[Part]) -> Option<Graph> {
+    let bounds: Vec<_> = parts.iter().map(Part::bounds).collect();
+    Graph::new(&bounds, |a, b| parts[a].relation(&parts[b]))
+}
+
+/// What remains to be done, the next at the end.
+enum Task {
+    /// Draw these in a right order. At most one of them is a part of each triangle.
+    Untangle(Vec<Part>),
+    /// Draw these, which form cycles.
+    Divide(Vec<Part>),
+    /// Draw this.
+    Draw(Part),
+}
+
+/// The pieces so far.
+#[derive(Default)]
+struct Untangling {
+    pieces: Vec<Piece>,
+    splits: usize,
+}
+
+impl Untangling {
+    /// Draws all parts. Where they form a cycle, the plane of one of them divides the others.
+    ///
+    /// It ends: no two parts in a task belong to the same triangle, as a cut puts one half before the plane and one
+    /// behind it; and each division takes out a triangle, so that on the way from the first task to any other there
+    /// are at most n divisions.
+    fn untangle(&mut self, parts: Vec<Part>) {
+        let mut tasks = vec![Task::Untangle(parts)];
+        while let Some(task) = tasks.pop() {
+            match task {
+                Task::Untangle(parts) => tasks.extend(untangled(parts)),
+                Task::Divide(parts) => tasks.extend(self.divided(parts)),
+                Task::Draw(part) => self.pieces.push(part.into_piece()),
+            }
+        }
+    }
+
+    /// What lies behind the plane of one of the parts, this part, and what lies before it; in reverse, as the last is
+    /// done first. Nothing behind a plane hides anything before it.
+    fn divided(&mut self, mut parts: Vec<Part>) -> [Task; 3] {
+        let root = parts.remove(best_root(&parts));
+        let (mut behind, mut before) = (Vec::new(), Vec::new());
+        for part in parts {
+            match part.position(&root) {
+                Position::Behind => behind.push(part),
+                Position::Before => before.push(part),
+                Position::Through => {
+                    let (nearer, farther) = part.split(&root);
+                    before.push(nearer);
+                    behind.push(farther);
+                    self.splits += 1;
+                }
+            }
+        }
+        [Task::Untangle(before), Task::Draw(root), Task::Untangle(behind)]
+    }
+}
+
+/// Single parts and groups that form cycles, from front to back, as the last is done first.
+fn untangled(parts: Vec<Part>) -> Vec<Task> {
+    let Some(graph) = graph_of(&parts) else {
+        return vec![Task::Divide(parts)];
+    };
+    let mut parts: Vec<_> = parts.into_iter().map(Some).collect();
+    let task = |component: Vec<usize>| {
+        let mut members: Vec<_> = component.into_iter().filter_map(|k| parts[k].take()).collect();
+        if members.len() == 1 {
+            Task::Draw(members.remove(0))
+        } else {
+            Task::Divide(members)
+        }
+    };
+    let mut tasks: Vec<_> = graph.components().into_iter().map(task).collect();
+    tasks.reverse();
+    tasks
+}
+
+/// How many parts are tried as the one whose plane divides the others.
+const CANDIDATES: usize = 8;
+
+/// The part whose plane cuts the fewest others, among the largest triangles: the slope of a large one is known best.
+fn best_root(parts: &[Part]) -> usize {
+    let mut candidates: Vec<usize> = (0..parts.len()).collect();
+    candidates.sort_by_key(|k| std::cmp::Reverse(parts[*k].area_of_triangle()));
+    candidates.truncate(CANDIDATES);
+    let cuts = |k: usize| {
+        parts
+            .iter()
+            .filter(|part| part.position(&parts[k]) == Position::Through)
+            .count()
+    };
+    candidates.into_iter().min_by_key(|k| cuts(*k)).unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::painter::example::{three_polygon_cycle, triangle};
+
+    #[test]
+    fn without_cycles_the_plan_is_the_order() {
+        let flat = |z: f32| triangle([[0.0, 1.0, z], [9.0, 2.0, z], [3.0, 7.0, z]]);
+        let plan = plan(&[flat(0.3), flat(-0.2), flat(0.1)]);
+        assert_eq!(
+            plan.pieces.iter().map(|piece| piece.triangle).collect::<Vec<_>>(),
+            [1, 2, 0]
+        );
+        assert!(plan.cycles.is_empty() && plan.splits == 0);
+    }
+
+    #[test]
+    fn the_cycle_of_three_is_named_and_opened() {
+        let plan = plan(&three_polygon_cycle());
+        assert_eq!(
+            plan.cycles,
+            [OcclusionCycle {
+                polygons: vec![0, 2, 1]
+            }]
+        );
+        // The plane of one runs through both others.
+        assert_eq!((plan.splits, plan.pieces.len()), (2, 5));
+    }
+
+    #[test]
+    fn of_two_that_pierce_one_is_cut() {
+        let ramp = triangle([[0.0, 0.0, 0.75], [12.0, 1.0, -0.5], [0.0, 9.0, 0.75]]);
+        let flat = triangle([[-5.0, 3.0, 0.0], [12.0, 2.0, 0.0], [2.0, 5.0, 0.0]]);
+        let line = triangle([[0.0, 0.0, 0.9], [8.0, 8.0, -0.9], [4.0, 4.0, 0.3]]);
+        let plan = plan(&[ramp, line, flat]);
+        assert_eq!(plan.cycles, [OcclusionCycle { polygons: vec![0, 2] }]);
+        assert_eq!((plan.splits, plan.pieces.len()), (1, 4));
+        assert_eq!(plan.pieces[0], Piece::whole(1));
+    }
+}

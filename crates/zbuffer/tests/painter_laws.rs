@@ -1,0 +1,423 @@
+//! Laws of the painter's algorithm (L13, L14): the order is right pair by pair, and so is the picture.
+
+use std::cell::Cell;
+
+use geometry::{Barycentric, Mesh, shapes};
+use glam::{Mat3, Vec3, vec3};
+use proptest::prelude::*;
+use testkit::{Classes, Law, Outcome, ensure, strategy};
+use zbuffer::painter::{self, DEPTH_TOLERANCE, OcclusionCycle, Relation};
+use zbuffer::{Fragment, ScreenTriangle, ScreenVertex, rasterize};
+
+const WIDTH: u32 = 64;
+const HEIGHT: u32 = 48;
+
+fn on_screen(corners: [Vec3; 3]) -> ScreenTriangle {
+    let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
+    let vertex = |k: usize| ScreenVertex {
+        position: corners[k],
+        inv_w: -1.0,
+        weights: weights[k],
+    };
+    ScreenTriangle {
+        vertices: [vertex(0), vertex(1), vertex(2)],
+    }
+}
+
+/// A position on a coarse grid, so that triangles often touch, share corners and have no area; a little off screen too.
+fn position() -> impl Strategy<Value = (f32, f32)> {
+    (-8..40_i32, -8..32_i32).prop_map(|(x, y)| (2.0 * x as f32, 2.0 * y as f32))
+}
+
+/// A triangle anywhere; its depths differ by at most `thickness` from that of its first corner.
+fn triangle(thickness: f32) -> impl Strategy<Value = ScreenTriangle> {
+    let slope = -thickness..=thickness;
+    (
+        position(),
+        position(),
+        position(),
+        -1.0_f32..1.0,
+        slope.clone(),
+        slope,
+    )
+        .prop_map(|(a, b, c, z, to_b, to_c)| {
+            let at = |(x, y): (f32, f32), z: f32| vec3(x, y, z.clamp(-1.0, 1.0));
+            on_screen([at(a, z), at(b, z + to_b), at(c, z + to_c)])
+        })
+}
+
+fn triangles(count: std::ops::Range<usize>, thickness: f32) -> impl Strategy<Value = Vec<ScreenTriangle>> {
+    prop::collection::vec(triangle(thickness), count)
+}
+
+/// Flat polygons and some that reach from near to far: some inputs have an order, others have not.
+fn mixed_triangles() -> impl Strategy<Value = Vec<ScreenTriangle>> {
+    (triangles(1..12, 0.05), triangles(0..2, 2.0), 0..12_usize).prop_map(|(mut all, steep, turn)| {
+        all.extend(steep);
+        let turn = turn % all.len();
+        all.rotate_left(turn);
+        all
+    })
+}
+
+/// What each pixel shows: the triangle and its depth there.
+type Picture = Vec<Option<(usize, f32)>>;
+
+fn empty_picture() -> Picture {
+    vec![None; (WIDTH * HEIGHT) as usize]
+}
+
+fn place(fragment: &Fragment) -> usize {
+    (fragment.j * WIDTH + fragment.i) as usize
+}
+
+/// The nearest triangle of each pixel, by comparison of all (L16).
+fn nearest(triangles: &[ScreenTriangle]) -> Picture {
+    let mut picture = empty_picture();
+    for (k, triangle) in triangles.iter().enumerate() {
+        rasterize(triangle, WIDTH, HEIGHT, |fragment| {
+            let pixel = &mut picture[place(&fragment)];
+            if pixel.is_none_or(|(_, z)| z < fragment.z) {
+                *pixel = Some((k, fragment.z));
+            }
+        });
+    }
+    picture
+}
+
+/// What remains when triangles are drawn over each other.
+fn painted(order: &[usize], triangles: &[ScreenTriangle]) -> Picture {
+    let mut picture = empty_picture();
+    for k in order {
+        rasterize(&triangles[*k], WIDTH, HEIGHT, |fragment| {
+            picture[place(&fragment)] = Some((*k, fragment.z));
+        });
+    }
+    picture
+}
+
+fn painted_by_plan(plan: &painter::Plan, triangles: &[ScreenTriangle]) -> Picture {
+    let mut picture = empty_picture();
+    painter::for_each_fragment(plan, triangles, WIDTH, HEIGHT, |k, fragment| {
+        picture[place(&fragment)] = Some((k, fragment.z));
+    });
+    picture
+}
+
+/// How far two depths may lie apart where the painter shows another triangle than the depth buffer: the tolerance, and
+/// the rounding of two fragments' depths to f32, 2^−25 each.
+const DEPTH_BOUND: f64 = DEPTH_TOLERANCE + 2.0 * (f32::EPSILON as f64) / 4.0;
+
+/// Pixels with a triangle in them, and those of them where painter and depth buffer show different triangles.
+#[derive(Default)]
+struct Pixels {
+    covered: Cell<u32>,
+    undecided: Cell<u32>,
+}
+
+impl Pixels {
+    fn ensure_same(&self, painted: &Picture, nearest: &Picture) -> Outcome {
+        for (p, (painted, nearest)) in painted.iter().zip(nearest).enumerate() {
+            let (Some((k, z)), Some((best, z_best))) = (painted, nearest) else {
+                ensure(painted == nearest, || {
+                    format!("pixel {p}: painted {painted:?}, nearest {nearest:?}")
+                })?;
+                continue;
+            };
+            let behind = f64::from(*z_best) - f64::from(*z);
+            ensure(behind <= DEPTH_BOUND, || {
+                format!("pixel {p} shows {k} at {z}, but {best} is nearer: {z_best}")
+            })?;
+            self.covered.set(self.covered.get() + 1);
+            self.undecided.set(self.undecided.get() + u32::from(k != best));
+        }
+        Ok(())
+    }
+
+    /// The tolerance is a part in four million of the depths' range: a law that needs it often hides something.
+    fn assert_nearly_all_decided(&self) {
+        let (covered, undecided) = (self.covered.get(), self.undecided.get());
+        assert!(
+            1000 * undecided <= covered,
+            "{undecided} of {covered} pixels differ within the tolerance"
+        );
+    }
+}
+
+fn opposite(relation: Relation) -> Relation {
+    match relation {
+        Relation::Behind => Relation::InFront,
+        Relation::InFront => Relation::Behind,
+        Relation::Free | Relation::Piercing => relation,
+    }
+}
+
+#[test]
+fn exact_sides_say_the_same_as_clipping_in_floating_point() {
+    let shared_corner = (
+        triangle(2.0),
+        triangle(2.0),
+        0..3_usize,
+        0..3_usize,
+        any::<bool>(),
+    )
+        .prop_map(|(a, mut b, from, to, shares)| {
+            if shares {
+                b.vertices[to] = a.vertices[from];
+            }
+            (a, b)
+        });
+    Law::new("what hides what does not depend on how it is found, nor on who asks")
+        .cases(4000)
+        .demand("free", 0.2)
+        .demand("behind", 0.08)
+        .demand("in front", 0.08)
+        .demand("piercing", 0.04)
+        .holds_for(shared_corner, |(a, b), seen| {
+            let relation = painter::relation(&a, &b);
+            seen.class("free", relation == Relation::Free);
+            seen.class("behind", relation == Relation::Behind);
+            seen.class("in front", relation == Relation::InFront);
+            seen.class("piercing", relation == Relation::Piercing);
+            prop_assert_eq!(relation, painter::relation_by_clipping(&a, &b));
+            prop_assert_eq!(painter::relation(&b, &a), opposite(relation));
+            Ok(())
+        });
+}
+
+fn ensure_right_order(order: &[usize], triangles: &[ScreenTriangle]) -> Outcome {
+    let mut listed = order.to_vec();
+    listed.sort_unstable();
+    prop_assert_eq!(listed, (0..triangles.len()).collect::<Vec<_>>());
+    for (first, a) in order.iter().enumerate() {
+        for b in &order[first + 1..] {
+            let relation = painter::relation_by_clipping(&triangles[*a], &triangles[*b]);
+            ensure(
+                !matches!(relation, Relation::InFront | Relation::Piercing),
+                || format!("{a} is drawn before {b}, but it is {relation:?}"),
+            )?;
+        }
+    }
+    Ok(())
+}
+
+fn ensure_real_cycle(cycle: &OcclusionCycle, triangles: &[ScreenTriangle]) -> Outcome {
+    let polygons = &cycle.polygons;
+    prop_assert!(2 <= polygons.len());
+    for (k, hidden) in polygons.iter().enumerate() {
+        let hiding = polygons[(k + 1) % polygons.len()];
+        let relation = painter::relation_by_clipping(&triangles[*hidden], &triangles[hiding]);
+        let expected = if cycle.is_piercing() {
+            Relation::Piercing
+        } else {
+            Relation::Behind
+        };
+        ensure(relation == expected, || {
+            format!("{hidden} is not hidden by {hiding} in {polygons:?}: {relation:?}")
+        })?;
+    }
+    Ok(())
+}
+
+#[test]
+fn the_order_is_right_for_every_pair_and_a_cycle_is_real() {
+    Law::new(
+        "order gives an order just where there is one, and else a cycle of polygons each hidden by the next",
+    )
+    .cases(1500)
+    .demand("an order exists", 0.3)
+    .demand("polygons pierce", 0.1)
+    .demand("a cycle without piercing", 0.1)
+    .holds_for(
+        prop_oneof![4 => mixed_triangles(), 1 => cycle_of_three().prop_map(|(_, all)| all)],
+        |triangles, seen| {
+            let found = painter::order(&triangles);
+            let is_piercing = found.as_ref().err().map(OcclusionCycle::is_piercing);
+            seen.class("an order exists", found.is_ok());
+            seen.class("polygons pierce", is_piercing == Some(true));
+            seen.class("a cycle without piercing", is_piercing == Some(false));
+            prop_assert_eq!(found.is_ok(), painter::order_of_all_pairs(&triangles).is_some());
+            match found {
+                Ok(order) => ensure_right_order(&order, &triangles),
+                Err(cycle) => ensure_real_cycle(&cycle, &triangles),
+            }
+        },
+    );
+}
+
+#[test]
+fn painting_in_order_gives_the_picture_of_the_depth_buffer() {
+    let pixels = Pixels::default();
+    Law::new("where an order exists, painter's picture is the z-buffer's")
+        .demand("an order exists", 0.3)
+        .demand("sorting by depth fails", 0.02)
+        .holds_for(mixed_triangles(), |triangles, seen| {
+            let Ok(order) = painter::order(&triangles) else {
+                return Ok(());
+            };
+            seen.class("an order exists", true);
+            let nearest = nearest(&triangles);
+            let by_depth = painted(&painter::order_by_depth(&triangles), &triangles);
+            seen.class(
+                "sorting by depth fails",
+                Pixels::default().ensure_same(&by_depth, &nearest).is_err(),
+            );
+            pixels.ensure_same(&painted(&order, &triangles), &nearest)
+        });
+    pixels.assert_nearly_all_decided();
+}
+
+fn ensure_every_fragment_once(plan: &painter::Plan, triangles: &[ScreenTriangle]) -> Outcome {
+    let mut times = vec![0_u32; triangles.len() * (WIDTH * HEIGHT) as usize];
+    painter::for_each_fragment(plan, triangles, WIDTH, HEIGHT, |k, fragment| {
+        times[k * (WIDTH * HEIGHT) as usize + place(&fragment)] += 1;
+    });
+    for (k, triangle) in triangles.iter().enumerate() {
+        rasterize(triangle, WIDTH, HEIGHT, |fragment| {
+            times[k * (WIDTH * HEIGHT) as usize + place(&fragment)] += 10;
+        });
+    }
+    // 10 by the rasterizer, 1 by the plan.
+    ensure(times.iter().all(|count| *count == 0 || *count == 11), || {
+        "a fragment is drawn twice or not at all".into()
+    })
+}
+
+fn ensure_plan_is_right(pixels: &Pixels, triangles: &[ScreenTriangle], seen: &Classes) -> Outcome {
+    let plan = painter::plan(triangles);
+    seen.class("cut", plan.splits > 0);
+    prop_assert_eq!(plan.pieces.len(), triangles.len() + plan.splits);
+    prop_assert_eq!(plan.cycles.is_empty(), painter::order(triangles).is_ok());
+    plan.cycles
+        .iter()
+        .try_for_each(|cycle| ensure_real_cycle(cycle, triangles))?;
+    ensure_every_fragment_once(&plan, triangles)?;
+    pixels.ensure_same(&painted_by_plan(&plan, triangles), &nearest(triangles))
+}
+
+#[test]
+fn a_plan_draws_polygons_that_pierce_each_other_right() {
+    let pixels = Pixels::default();
+    Law::new("a plan has every fragment of every triangle once and shows the nearest")
+        .demand("cut", 0.7)
+        .holds_for(triangles(2..9, 2.0), |triangles, seen| {
+            ensure_plan_is_right(&pixels, &triangles, seen)
+        });
+    pixels.assert_nearly_all_decided();
+}
+
+/// The three long triangles of Fig 8.9, each over the next, moved a little and in any order, with others in between.
+fn cycle_of_three() -> impl Strategy<Value = ([usize; 3], Vec<ScreenTriangle>)> {
+    let corners = [
+        [vec3(4.0, 6.0, -0.5), vec3(58.0, 9.0, 0.5), vec3(4.0, 16.0, -0.5)],
+        [
+            vec3(46.0, 3.0, -0.5),
+            vec3(56.0, 4.0, -0.5),
+            vec3(26.0, 46.0, 0.5),
+        ],
+        [
+            vec3(40.0, 40.0, -0.5),
+            vec3(32.0, 48.0, -0.5),
+            vec3(6.0, 2.0, 0.5),
+        ],
+    ];
+    let others = prop::collection::vec((position(), position(), position(), 0.7_f32..0.99), 0..3);
+    let order = Just(vec![0, 1, 2]).prop_shuffle();
+    (order, prop::collection::vec(strategy::point(1.0), 9), others).prop_map(move |(order, moves, others)| {
+        let moved = |k: usize, c: usize| corners[k][c] + moves[3 * k + c] * vec3(0.9, 0.9, 0.05);
+        let mut triangles: Vec<_> = order
+            .iter()
+            .map(|k| on_screen([moved(*k, 0), moved(*k, 1), moved(*k, 2)]))
+            .collect();
+        for (a, b, c, z) in others {
+            triangles.push(on_screen([a, b, c].map(|(x, y)| vec3(x, y, z))));
+        }
+        let index = |k: usize| order.iter().position(|x| *x == k).unwrap_or(0);
+        ([index(0), index(1), index(2)], triangles)
+    })
+}
+
+#[test]
+fn the_cycle_of_three_is_named_cut_and_drawn_right() {
+    let pixels = Pixels::default();
+    Law::new("the three long triangles of Fig 8.9 are found, named and cut")
+        .demand("cut", 1.0)
+        .holds_for(cycle_of_three(), |([first, second, third], triangles), seen| {
+            // Each lies over the next, so each is hidden by the one before.
+            let hidden_to_hiding = [third, second, first];
+            let cycle = painter::order(&triangles).expect_err("there is no order");
+            let start = hidden_to_hiding
+                .iter()
+                .position(|k| *k == cycle.polygons[0])
+                .unwrap_or(0);
+            prop_assert_eq!(
+                &cycle.polygons,
+                &[0, 1, 2].map(|k| hidden_to_hiding[(start + k) % 3]).to_vec()
+            );
+            prop_assert_eq!(painter::plan(&triangles).cycles, vec![cycle]);
+            ensure_plan_is_right(&pixels, &triangles, seen)
+        });
+    pixels.assert_nearly_all_decided();
+}
+
+fn seen_from(mesh: &Mesh, turn: Mat3) -> Vec<ScreenTriangle> {
+    let corner = |p: Vec3| {
+        let p = turn * p;
+        vec3(31.5 + 21.0 * p.x, 24.25 + 21.0 * p.y, 0.9 * p.z)
+    };
+    (0..mesh.len())
+        .map(|k| on_screen(mesh.triangle(k).corners().map(corner)))
+        .collect()
+}
+
+#[test]
+fn neighbours_in_a_mesh_do_not_constrain_each_other_and_a_convex_one_has_an_order() {
+    let ball = shapes::icosphere(2).expect("a small level");
+    let neighbours: Vec<_> = (0..ball.len())
+        .flat_map(|a| (0..a).map(move |b| (a, b)))
+        .filter(|(a, b)| {
+            ball.triangles()[*a]
+                .iter()
+                .any(|corner| ball.triangles()[*b].contains(corner))
+        })
+        .collect();
+    // A triangle touches 12 others; the 60 at the icosahedron's corners, where five meet, touch 11.
+    assert_eq!(neighbours.len(), (260 * 12 + 60 * 11) / 2);
+    let pixels = Pixels::default();
+    Law::new("a closed convex mesh has an order, and its neighbours are free")
+        .cases(40)
+        .holds_for(strategy::rotation(), |turn, _| {
+            let triangles = seen_from(&ball, turn);
+            for (a, b) in &neighbours {
+                let (a, b) = (&triangles[*a], &triangles[*b]);
+                let same_side = a.doubled_area().signum() == b.doubled_area().signum();
+                prop_assert!(!same_side || painter::relation(a, b) == Relation::Free);
+            }
+            let order = painter::order(&triangles).map_err(|cycle| TestCaseError::fail(cycle.to_string()))?;
+            ensure_right_order(&order, &triangles)?;
+            pixels.ensure_same(&painted(&order, &triangles), &nearest(&triangles))
+        });
+    pixels.assert_nearly_all_decided();
+}
+
+/// `count` sheets over the whole screen, one above the other, all with the same slope.
+fn sheets(count: usize) -> Vec<ScreenTriangle> {
+    let sheet = |k: usize| {
+        // 1234577 is prime, so the sheets come in a mixed-up order, each depth once.
+        let z = -0.8 + 1.5 * ((k * 1_234_577) % count) as f32 / count as f32;
+        on_screen([
+            vec3(-70.0, -9.0, z + 0.1),
+            vec3(140.0, -5.0, z - 0.1),
+            vec3(20.0, 130.0, z),
+        ])
+    };
+    (0..count).map(sheet).collect()
+}
+
+#[test]
+fn three_thousand_polygons_on_top_of_each_other_are_ordered() {
+    let triangles = sheets(3000);
+    let order = painter::order(&triangles).expect("parallel sheets have an order");
+    let depth = |k: usize| triangles[k].vertices[0].position.z;
+    assert!(order.windows(2).all(|pair| depth(pair[0]) < depth(pair[1])));
+}
