@@ -29,10 +29,10 @@ fn files(c: &mut Criterion) {
     for format in [Format::Png8, Format::Png16, Format::Exr] {
         let file = codec::encode(&image, format).unwrap();
         group.bench_function(format!("encode {format:?}"), |b| {
-            b.iter(|| codec::encode(black_box(&image), format))
+            b.iter(|| codec::encode(black_box(&image), format));
         });
         group.bench_function(format!("decode {format:?}"), |b| {
-            b.iter(|| codec::decode(black_box(&file)))
+            b.iter(|| codec::decode(black_box(&file)));
         });
     }
     group.bench_function("sRGB steps only", |b| {
@@ -45,7 +45,7 @@ fn files(c: &mut Criterion) {
         });
     });
     group.bench_function("difference", |b| {
-        b.iter(|| difference(black_box(&image), &image, 0.1))
+        b.iter(|| difference(black_box(&image), &image, 0.1));
     });
     group.finish();
 }

@@ -8,6 +8,7 @@
 
 use thiserror::Error;
 
+use crate::heat::heat;
 use crate::{Image, Rgb, row_from_j, srgb};
 
 /// Two pictures of different sizes have no pixels to compare.
@@ -126,30 +127,6 @@ impl Difference {
             .collect();
         Image::from_rows(self.width, self.height, colors).expect("one colour for each difference")
     }
-}
-
-/// The ramp at each eighth, as 8-bit sRGB. Computed in CIE LCh: lightness 0, 12.5, … 100; the hue turns from purple over
-/// red to yellow; as colourful as the screen can show at that lightness, less a margin.
-const HEAT: [[u8; 3]; 9] = [
-    [0, 0, 0],
-    [57, 5, 74],
-    [112, 14, 86],
-    [168, 25, 90],
-    [228, 37, 80],
-    [248, 107, 76],
-    [250, 165, 104],
-    [252, 214, 156],
-    [255, 255, 255],
-];
-
-/// The colour at a place in [0, 1] of the ramp. Between the eighths the encoded values are interpolated: they are nearly
-/// proportional to lightness, light is not.
-fn heat(place: f32) -> Rgb {
-    let eighths = place * (HEAT.len() - 1) as f32;
-    let below = (eighths as usize).min(HEAT.len() - 2);
-    let encoded = |eighth: usize| Rgb::from(HEAT[eighth].map(|step| f32::from(step) / 255.0));
-    let between = encoded(below).lerp(encoded(below + 1), eighths - below as f32);
-    Rgb::from(between.to_array().map(srgb::decode))
 }
 
 /// One picture with the given ones in a row, left to right, standing on a common ground: pixel (i, 0) of each is in the
@@ -285,27 +262,6 @@ mod tests {
         let found = difference(&nothing, &nothing, 0.0).unwrap();
         assert_eq!((found.greatest, found.greatest_at, found.mean), (0.0, None, 0.0));
         assert_eq!(found.heat_map(), nothing);
-    }
-
-    #[test]
-    fn heat_gets_lighter_in_proportion() {
-        // CIE L* of each eighth is 12.5 more than that of the one below; a rounded 8-bit step is up to 0.2 of L*.
-        let lightness = |color: Rgb| {
-            let y = color.dot(Rgb::new(0.2126, 0.7152, 0.0722));
-            if y > 0.008_856 {
-                116.0 * y.cbrt() - 16.0
-            } else {
-                903.3 * y
-            }
-        };
-        for eighth in 0..=8 {
-            assert!(
-                (lightness(heat(eighth as f32 / 8.0)) - 12.5 * eighth as f32).abs() < 0.2,
-                "eighth {eighth}"
-            );
-        }
-        let along: Vec<f32> = (0..=800).map(|n| lightness(heat(n as f32 / 800.0))).collect();
-        assert!(along.windows(2).all(|pair| pair[0] < pair[1]));
     }
 
     #[test]

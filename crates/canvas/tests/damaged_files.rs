@@ -136,3 +136,13 @@ fn openexr_files_that_claim_huge_windows_are_refused() {
         }
     }
 }
+
+#[test]
+fn a_panic_in_the_openexr_reader_is_an_error() {
+    // 4 × 4 pixels, B44 compression, two bytes damaged: the reader subtracts below zero. Builds without overflow checks
+    // wrap around there and read some image.
+    let outcome = codec::decode(include_bytes!("data/overflowing_b44.exr"));
+    if cfg!(debug_assertions) {
+        assert!(matches!(outcome, Err(CodecError::Unreadable { .. })), "{outcome:?}");
+    }
+}
