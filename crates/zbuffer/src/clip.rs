@@ -52,7 +52,9 @@ const MOST_VERTICES: usize = 9;
 #[must_use]
 pub fn project(clip_from_world: &Mat4, width: u32, height: u32, triangle: &Triangle) -> ScreenPolygon {
     // From the world to clip space.
-    let corners = triangle.corners().map(|p_world| *clip_from_world * p_world.extend(1.0));
+    let corners = triangle
+        .corners()
+        .map(|p_world| *clip_from_world * p_world.extend(1.0));
     project_clip(corners, width, height)
 }
 
@@ -84,7 +86,11 @@ pub struct ScreenPolygon {
 
 impl ScreenPolygon {
     const EMPTY: Self = Self {
-        vertices: [ScreenVertex { position: glam::Vec3::ZERO, inv_w: 0.0, weights: Barycentric::A }; MOST_VERTICES],
+        vertices: [ScreenVertex {
+            position: glam::Vec3::ZERO,
+            inv_w: 0.0,
+            weights: Barycentric::A,
+        }; MOST_VERTICES],
         count: 0,
     };
 
@@ -97,7 +103,9 @@ impl ScreenPolygon {
     /// The polygon as triangles that fan out from its first vertex, all in its orientation.
     pub fn triangles(self) -> impl Iterator<Item = ScreenTriangle> {
         let [apex, ..] = self.vertices;
-        (2..self.count).map(move |k| ScreenTriangle { vertices: [apex, self.vertices[k - 1], self.vertices[k]] })
+        (2..self.count).map(move |k| ScreenTriangle {
+            vertices: [apex, self.vertices[k - 1], self.vertices[k]],
+        })
     }
 }
 
@@ -110,9 +118,15 @@ struct Viewport {
 impl Viewport {
     fn new(width: u32, height: u32) -> Self {
         let sides = 1..=GREATEST_SIDE;
-        assert!(sides.contains(&width) && sides.contains(&height), "no screen can have {width} × {height} pixels");
+        assert!(
+            sides.contains(&width) && sides.contains(&height),
+            "no screen can have {width} × {height} pixels"
+        );
         let size = DVec2::new(width.into(), height.into());
-        Self { half_size: 0.5 * size, center: 0.5 * (size - 1.0) }
+        Self {
+            half_size: 0.5 * size,
+            center: 0.5 * (size - 1.0),
+        }
     }
 
     /// The planes of the clipped volume: inside is where plane · (x, y, z, w) ≥ 0.
@@ -130,9 +144,14 @@ impl Viewport {
     }
 
     fn screen_polygon(&self, polygon: &ClipPolygon) -> ScreenPolygon {
-        let mut screen = ScreenPolygon { count: polygon.count, ..ScreenPolygon::EMPTY };
+        let mut screen = ScreenPolygon {
+            count: polygon.count,
+            ..ScreenPolygon::EMPTY
+        };
         for (to, from) in screen.vertices.iter_mut().zip(polygon.vertices()) {
-            let Some(vertex) = self.screen_vertex(from) else { return ScreenPolygon::EMPTY };
+            let Some(vertex) = self.screen_vertex(from) else {
+                return ScreenPolygon::EMPTY;
+            };
             *to = vertex;
         }
         screen
@@ -147,8 +166,16 @@ impl Viewport {
         let pixel = pixel.clamp(DVec2::splat(-GUARD_BAND), DVec2::splat(GUARD_BAND));
         let position = pixel.extend(canonical.z.clamp(-1.0, 1.0)).as_vec3();
         let DVec3 { x, y, z } = vertex.weights;
-        let weights = Barycentric { alpha: x as f32, beta: y as f32, gamma: z as f32 };
-        let vertex = ScreenVertex { position, inv_w: inv_w as f32, weights };
+        let weights = Barycentric {
+            alpha: x as f32,
+            beta: y as f32,
+            gamma: z as f32,
+        };
+        let vertex = ScreenVertex {
+            position,
+            inv_w: inv_w as f32,
+            weights,
+        };
         (inv_w < 0.0 && vertex.inv_w.is_finite() && position.is_finite()).then_some(vertex)
     }
 }
@@ -168,13 +195,21 @@ struct ClipPolygon {
 }
 
 impl ClipPolygon {
-    const EMPTY: Self =
-        Self { vertices: [ClipVertex { position: DVec4::ZERO, weights: DVec3::ZERO }; MOST_VERTICES], count: 0 };
+    const EMPTY: Self = Self {
+        vertices: [ClipVertex {
+            position: DVec4::ZERO,
+            weights: DVec3::ZERO,
+        }; MOST_VERTICES],
+        count: 0,
+    };
 
     fn triangle(corners: [Vec4; 3]) -> Self {
         let mut polygon = Self::EMPTY;
         for (corner, weights) in corners.into_iter().zip(DVec3::AXES) {
-            polygon.push(ClipVertex { position: corner.as_dvec4(), weights });
+            polygon.push(ClipVertex {
+                position: corner.as_dvec4(),
+                weights,
+            });
         }
         polygon
     }
@@ -224,5 +259,97 @@ fn crossing(inside: ClipVertex, d_in: f64, outside: ClipVertex, d_out: f64) -> C
     ClipVertex {
         position: share_in * inside.position + share_out * outside.position,
         weights: share_in * inside.weights + share_out * outside.weights,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::{Vec3, vec3};
+    use transforms::{Camera, Pipeline, ViewVolume, projection, viewport::screen_from_canonical};
+
+    const VOLUME: ViewVolume = ViewVolume {
+        left: -1.0,
+        right: 1.0,
+        bottom: -1.0,
+        top: 1.0,
+        near: -2.0,
+        far: -10.0,
+    };
+
+    fn clip_from_world() -> Mat4 {
+        let camera = Camera::look_at(Vec3::ZERO, vec3(0.0, 0.0, -1.0), Vec3::Y).unwrap();
+        Pipeline::new(camera, VOLUME, 200, 100).unwrap().clip_from_world()
+    }
+
+    #[test]
+    fn the_viewport_is_that_of_the_lecture() {
+        let v = screen_from_canonical(200, 100);
+        let clip = [vec3(0.25, -0.5, 0.5), vec3(1.0, 0.0, -0.5), vec3(0.0, 0.75, 0.25)];
+        let polygon = project_clip(clip.map(|p| p.extend(1.0) * -1.0), 200, 100);
+        let positions: Vec<Vec3> = polygon.vertices().iter().map(|vertex| vertex.position).collect();
+        assert_eq!(positions, clip.map(|p| v.transform_point3(p)));
+    }
+
+    #[test]
+    fn the_part_before_the_near_plane_is_cut_off() {
+        // From (0, 0, −6), inside, to (0, 4, 2), behind the eye: half-way, at z = −2, is the near plane.
+        let t = Triangle::new(vec3(0.0, 0.0, -6.0), vec3(3.0, 0.0, -6.0), vec3(0.0, 4.0, 2.0));
+        let polygon = project(&clip_from_world(), 200, 100, &t);
+        let weights: Vec<_> = polygon.vertices().iter().map(|v| v.weights.to_vec3()).collect();
+        let expected = [
+            vec3(1.0, 0.0, 0.0),
+            vec3(0.0, 1.0, 0.0),
+            vec3(0.0, 0.5, 0.5),
+            vec3(0.5, 0.0, 0.5),
+        ];
+        // The order starts with the last corner's edge; as a cycle it is that of the triangle.
+        let start = weights.iter().position(|w| *w == Vec3::X).unwrap();
+        let cycle: Vec<_> = (0..4).map(|k| weights[(start + k) % 4]).collect();
+        for (got, want) in cycle.iter().zip(expected) {
+            assert!((*got - want).length() < 1e-6, "{cycle:?}");
+        }
+        let nearest = polygon.vertices().iter().filter(|v| v.weights.gamma > 0.4);
+        for v in nearest {
+            assert_eq!(v.position.z, 1.0);
+            assert!((v.inv_w + 0.5).abs() < 1e-6, "{v:?}");
+        }
+    }
+
+    #[test]
+    fn dividing_first_folds_what_lies_behind_the_eye_onto_the_picture() {
+        // Two units behind the eye, up to the left; it would show below to the right, in the middle of the depths.
+        let behind = vec3(-0.3, 0.4, 2.0);
+        let folded = clip_from_world().project_point3(behind);
+        assert!(
+            folded.x > 0.0 && folded.y < 0.0 && folded.truncate().abs().max_element() < 1.0,
+            "{folded}"
+        );
+        let t = Triangle::new(behind, behind + 0.1 * Vec3::X, behind + 0.1 * Vec3::Y);
+        assert!(project(&clip_from_world(), 200, 100, &t).vertices().is_empty());
+    }
+
+    #[test]
+    fn a_parallel_projection_is_drawn_with_its_matrix_negated() {
+        let parallel = projection::orthographic(&VOLUME);
+        let t = Triangle::new(vec3(0.0, 0.0, -4.0), vec3(0.5, 0.0, -4.0), vec3(0.0, 0.5, -8.0));
+        assert!(project(&parallel, 200, 100, &t).vertices().is_empty());
+        let polygon = project(&(parallel * -1.0), 200, 100, &t);
+        assert_eq!(polygon.vertices()[1].position, vec3(149.5, 49.5, 0.5));
+    }
+
+    #[test]
+    fn corners_that_are_not_finite_leave_nothing() {
+        let t = Triangle::new(
+            vec3(0.0, f32::NAN, -4.0),
+            vec3(1.0, 0.0, -4.0),
+            vec3(0.0, 1.0, -4.0),
+        );
+        assert!(
+            project(&clip_from_world(), 200, 100, &t)
+                .triangles()
+                .next()
+                .is_none()
+        );
     }
 }

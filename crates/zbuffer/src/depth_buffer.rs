@@ -1,69 +1,10 @@
-//! What is the nearest depth so far in pixel (i, j)? (L16) And how small a difference can the buffer tell? (L20)
+//! What is the nearest depth so far in pixel (i, j)? (L16)
 
 use std::ops::Range;
 
 use canvas::{DepthImage, row_from_j};
-use transforms::ViewVolume;
 
-/// How a depth is stored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum DepthFormat {
-    /// As it is, an `f32`; any finite depth.
-    F32,
-    /// In 24 bits: canonical z, −1 to 1, rounded to the nearest of 2²⁴ − 1 equal steps.
-    Bits24,
-    /// In 16 bits: canonical z, −1 to 1, rounded to the nearest of 2¹⁶ − 1 equal steps.
-    Bits16,
-}
-
-impl DepthFormat {
-    /// The bits that a depth takes: 32, 24 or 16.
-    #[must_use]
-    pub fn bits(self) -> u32 {
-        match self {
-            Self::F32 => 32,
-            Self::Bits24 => 24,
-            Self::Bits16 => 16,
-        }
-    }
-
-    /// The whole number that stands for depth `z`: the larger, the nearer. 0 stands for the farthest depth, and for NaN.
-    ///
-    /// In 24 and 16 bits z is clamped to −1…1. In 32 bits nothing is lost.
-    ///
-    /// ```
-    /// use zbuffer::DepthFormat;
-    ///
-    /// assert_eq!(DepthFormat::Bits16.code(-1.0), 0);
-    /// assert_eq!(DepthFormat::Bits16.code(0.5), 49_151); // 0.75 · 65,535 = 49,151.25
-    /// assert_eq!(DepthFormat::Bits16.code(1.0), 65_535);
-    /// ```
-    #[must_use]
-    #[inline]
-    pub fn code(self, z: f32) -> u32 {
-        match self {
-            Self::F32 if z.is_nan() => 0,
-            Self::F32 => ordered_bits(z),
-            // In f64 the 24 bits of z and those of the code fit without rounding; `as` turns NaN into 0.
-            Self::Bits24 | Self::Bits16 => {
-                (0.5 * (f64::from(z) + 1.0) * self.steps() + 0.5).clamp(0.0, self.steps()) as u32
-            }
-        }
-    }
-
-    /// The depth that a code stands for.
-    fn depth(self, code: u32) -> f32 {
-        match self {
-            Self::F32 => from_ordered_bits(code),
-            Self::Bits24 | Self::Bits16 => (2.0 * f64::from(code) / self.steps() - 1.0) as f32,
-        }
-    }
-
-    /// 2^b − 1, for b bits.
-    fn steps(self) -> f64 {
-        ((1_u64 << self.bits()) - 1) as f64
-    }
-}
+use crate::DepthFormat;
 
 /// The nearest depth so far, one a pixel. **Larger is nearer.**
 ///
@@ -96,7 +37,12 @@ impl DepthBuffer {
     /// ```
     #[must_use]
     pub fn new(width: u32, height: u32, format: DepthFormat) -> Self {
-        Self { width, height, format, codes: vec![0; width as usize * height as usize] }
+        Self {
+            width,
+            height,
+            format,
+            codes: vec![0; width as usize * height as usize],
+        }
     }
 
     /// Sets every pixel to the farthest depth.
@@ -128,7 +74,11 @@ impl DepthBuffer {
     /// If the pixel lies outside the buffer.
     #[must_use]
     pub fn get(&self, i: u32, j: u32) -> Option<f32> {
-        assert!(i < self.width, "pixel column i = {i} outside a buffer of width {}", self.width);
+        assert!(
+            i < self.width,
+            "pixel column i = {i} outside a buffer of width {}",
+            self.width
+        );
         let row = row_from_j(j, self.height) as usize;
         let code = self.codes[row * self.width as usize + i as usize];
         (code > 0).then(|| self.format.depth(code))
@@ -160,12 +110,22 @@ impl DepthBuffer {
     /// If `rows` is 0.
     pub fn bands_mut(&mut self, rows: u32) -> impl Iterator<Item = DepthBand<'_>> {
         assert!(rows > 0, "a band must have rows");
-        let Self { width, height, format, .. } = *self;
+        let Self {
+            width,
+            height,
+            format,
+            ..
+        } = *self;
         // Without columns there are no chunks, and so no bands.
         let chunk = (width as usize * rows as usize).max(1);
         self.codes.chunks_mut(chunk).zip(0_u32..).map(move |(codes, k)| {
             let end = height - k * rows;
-            DepthBand { width, rows: end.saturating_sub(rows)..end, format, codes }
+            DepthBand {
+                width,
+                rows: end.saturating_sub(rows)..end,
+                format,
+                codes,
+            }
         })
     }
 
@@ -182,7 +142,12 @@ impl DepthBuffer {
     }
 
     fn whole(&mut self) -> DepthBand<'_> {
-        DepthBand { width: self.width, rows: 0..self.height, format: self.format, codes: &mut self.codes }
+        DepthBand {
+            width: self.width,
+            rows: 0..self.height,
+            format: self.format,
+            codes: &mut self.codes,
+        }
     }
 }
 
@@ -224,58 +189,82 @@ impl DepthBand<'_> {
     #[must_use]
     #[inline]
     pub fn index(&self, i: u32, j: u32) -> usize {
-        assert!(i < self.width && self.rows.contains(&j), "pixel ({i}, {j}) outside rows {:?}", self.rows);
+        assert!(
+            i < self.width && self.rows.contains(&j),
+            "pixel ({i}, {j}) outside rows {:?}",
+            self.rows
+        );
         let row = row_from_j(j - self.rows.start, self.rows.end - self.rows.start) as usize;
         row * self.width as usize + i as usize
     }
 }
 
-/// The least difference in distance, in world units, that the format can store at a `distance` before the eye (L20): two
-/// surfaces closer together than that fight for the pixel.
-///
-/// Canonical z is (n+f)/(n−f) + 2fn/((n−f)·distance), so it changes by 2fn/((n−f)·distance²) a world unit: the step grows
-/// with the **square** of the distance. This is the format alone, to first order in the step; the rounding of the
-/// vertices comes on top.
-///
-/// - `distance`: along the gaze, positive: −z_camera, from −near to −far.
-///
-/// ```
-/// use transforms::ViewVolume;
-/// use zbuffer::{DepthFormat, depth_buffer::step_at};
-///
-/// let volume = ViewVolume { left: -0.1, right: 0.1, bottom: -0.1, top: 0.1, near: -0.1, far: -1000.0 };
-/// // A hundred units away, 16 bits cannot tell surfaces 1.5 units apart; 24 bits can tell 6 thousandths.
-/// assert_eq!(format!("{:.2}", step_at(DepthFormat::Bits16, &volume, 100.0)), "1.53");
-/// assert_eq!(format!("{:.4}", step_at(DepthFormat::Bits24, &volume, 100.0)), "0.0060");
-/// ```
-///
-/// # Panics
-/// Unless `distance` is positive.
-#[must_use]
-pub fn step_at(format: DepthFormat, volume: &ViewVolume, distance: f32) -> f32 {
-    assert!(distance > 0.0, "distance {distance} is not before the eye");
-    let (n, f, distance) = (f64::from(volume.near), f64::from(volume.far), f64::from(distance));
-    let z_per_unit = 2.0 * f * n / ((n - f) * distance * distance);
-    let z = (n + f) / (n - f) + 2.0 * f * n / ((n - f) * distance);
-    let z_step = match format {
-        DepthFormat::F32 => {
-            let z = z as f32;
-            f64::from(z) - f64::from(z.next_down())
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn depths_come_back_as_the_format_has_them() {
+        for (format, stored) in [
+            (DepthFormat::F32, 0.3),
+            (DepthFormat::Bits16, 19_661.0 / 65_535.0),
+        ] {
+            let mut depth = DepthBuffer::new(4, 3, format);
+            assert!(depth.test_and_set(1, 2, 0.3));
+            assert_eq!(depth.get(1, 2), Some(stored), "{format:?}");
         }
-        DepthFormat::Bits24 | DepthFormat::Bits16 => 2.0 / format.steps(),
-    };
-    (z_step / z_per_unit) as f32
-}
+    }
 
-/// The bits of `z` rearranged so that whole numbers have the order of the depths. At least 1 for −∞ and above.
-fn ordered_bits(z: f32) -> u32 {
-    const SIGN: u32 = 1 << 31;
-    // Adding 0 turns −0 into +0: equal depths get equal codes.
-    let bits = (z + 0.0).to_bits();
-    if bits & SIGN == 0 { bits | SIGN } else { !bits }
-}
+    #[test]
+    fn equal_depths_are_equal_and_nan_is_never_nearer() {
+        for format in [DepthFormat::F32, DepthFormat::Bits24, DepthFormat::Bits16] {
+            let mut depth = DepthBuffer::new(4, 3, format);
+            assert!(!depth.test_and_set(3, 1, f32::NAN));
+            assert!(depth.test_and_set(3, 1, -0.0));
+            assert!(
+                !depth.test_and_set(3, 1, 0.0),
+                "+0 is not nearer than −0 in {format:?}"
+            );
+            assert!(!depth.test_and_set(3, 1, f32::NAN));
+        }
+    }
 
-fn from_ordered_bits(code: u32) -> f32 {
-    const SIGN: u32 = 1 << 31;
-    f32::from_bits(if code & SIGN == 0 { !code } else { code & !SIGN })
+    #[test]
+    fn the_far_plane_itself_is_drawn_in_32_bits_only() {
+        for (format, drawn) in [
+            (DepthFormat::F32, true),
+            (DepthFormat::Bits24, false),
+            (DepthFormat::Bits16, false),
+        ] {
+            assert_eq!(
+                DepthBuffer::new(2, 2, format).test_and_set(1, 0, -1.0),
+                drawn,
+                "{format:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn memory_that_was_never_set_hides_polygons() {
+        // E16: the slide's listing compares with a saved depth that nothing has been stored in; zeroed memory is a depth
+        // in the middle of the volume, and the farther half of the scene is gone.
+        let (zeroed, behind_the_middle) = (0.0_f32, -0.4);
+        assert!(behind_the_middle <= zeroed);
+        assert!(DepthBuffer::new(1, 1, DepthFormat::F32).test_and_set(0, 0, behind_the_middle));
+    }
+
+    #[test]
+    fn bands_are_parts_of_the_buffer() {
+        let mut depth = DepthBuffer::new(5, 7, DepthFormat::F32);
+        for mut band in depth.bands_mut(3) {
+            for j in band.rows() {
+                assert!(band.test_and_set(2, j, 0.1 * j as f32));
+            }
+        }
+        let column: Vec<_> = (0..7).map(|j| depth.get(2, j)).collect();
+        let expected: Vec<_> = (0..7).map(|j| Some(0.1 * j as f32)).collect();
+        assert_eq!(column, expected);
+        assert_eq!(depth.get(3, 4), None);
+        assert_eq!(DepthBuffer::new(0, 7, DepthFormat::F32).bands_mut(3).count(), 0);
+    }
 }

@@ -21,7 +21,8 @@ use crate::screen::{Fragment, GREATEST_PIXEL, SUBPIXELS, ScreenTriangle, ScreenV
 /// each from left to right.
 ///
 /// Both orientations are drawn. A centre on an edge that two triangles share belongs to exactly one of them (E10). A
-/// triangle whose snapped vertices lie on one line covers nothing.
+/// triangle whose snapped vertices lie on one line covers nothing. Snapping may turn a sliver thinner than 1/256 pixel over;
+/// it then lies on its neighbours and a sample there is drawn three times, but never not at all.
 ///
 /// - z is affine on the screen and never leaves the range of the vertices' z, however thin the triangle.
 /// - The weights are perspective-correct: 1/w is affine on the screen, camera depth is not (E9).
@@ -67,7 +68,12 @@ pub fn rasterize(triangle: &ScreenTriangle, width: u32, height: u32, mut draw: i
 /// # Panics
 /// As [`rasterize`].
 #[inline]
-pub fn rasterize_rows(triangle: &ScreenTriangle, width: u32, rows: Range<u32>, mut draw: impl FnMut(Fragment)) {
+pub fn rasterize_rows(
+    triangle: &ScreenTriangle,
+    width: u32,
+    rows: Range<u32>,
+    mut draw: impl FnMut(Fragment),
+) {
     let Some(setup) = Setup::new(triangle) else { return };
     let columns = setup.columns(width);
     for j in setup.rows(rows) {
@@ -106,7 +112,10 @@ impl Setup {
         assert!(z.is_finite(), "a vertex has depth NaN or infinity: {triangle:?}");
         let inv_w = DVec3::new(a.inv_w.into(), b.inv_w.into(), c.inv_w.into());
         let one_sign = inv_w.min_element() > 0.0 || inv_w.max_element() < 0.0;
-        assert!(one_sign && inv_w.is_finite(), "1/w must be of one sign and finite: {triangle:?}");
+        assert!(
+            one_sign && inv_w.is_finite(),
+            "1/w must be of one sign and finite: {triangle:?}"
+        );
         Some(Self {
             edges: [Edge::new(p_b, p_c), Edge::new(p_c, p_a), Edge::new(p_a, p_b)],
             lowest: p_a.min(p_b).min(p_c),
@@ -173,8 +182,17 @@ impl Setup {
         let [a, b, c] = self.weights_over_w;
         let weights = (areas.x * a + areas.y * b + areas.z * c) / areas.dot(self.inv_w);
         let weights = weights.as_vec3();
-        let weights = Barycentric { alpha: weights.x, beta: weights.y, gamma: weights.z };
-        Fragment { i, j, z: z as f32, weights }
+        let weights = Barycentric {
+            alpha: weights.x,
+            beta: weights.y,
+            gamma: weights.z,
+        };
+        Fragment {
+            i,
+            j,
+            z: z as f32,
+            weights,
+        }
     }
 }
 
@@ -195,7 +213,12 @@ impl Edge {
         let is_left = along.y < 0;
         let is_top = along.y == 0 && along.x < 0;
         let threshold = if is_left || is_top { 0 } else { 1 };
-        Self { from, along, threshold, step: -along.y * SUBPIXELS }
+        Self {
+            from,
+            along,
+            threshold,
+            step: -along.y * SUBPIXELS,
+        }
     }
 
     /// The edge function: twice the area of the triangle from the edge to `p`, positive on the left.
@@ -209,7 +232,10 @@ impl Edge {
         if self.step > 0 {
             // value + k · step ≥ threshold from some k on.
             if missing > 0 {
-                steps.start = steps.start.max((missing + self.step - 1) / self.step).min(steps.end);
+                steps.start = steps
+                    .start
+                    .max((missing + self.step - 1) / self.step)
+                    .min(steps.end);
             }
         } else if missing > 0 {
             // Outside, and it does not get better to the right.
@@ -225,8 +251,13 @@ impl Edge {
 /// nothing else. `None` if they lie on one line.
 fn anticlockwise(triangle: &ScreenTriangle) -> Option<[ScreenVertex; 3]> {
     let [a, b, c] = triangle.vertices;
-    let in_range = |v: &ScreenVertex| v.position.truncate().abs().max_element() <= GREATEST_PIXEL && !v.position.is_nan();
-    assert!(triangle.vertices.iter().all(in_range), "a vertex lies too far outside: {triangle:?}");
+    let in_range = |v: &ScreenVertex| {
+        v.position.truncate().abs().max_element() <= GREATEST_PIXEL && !v.position.is_nan()
+    };
+    assert!(
+        triangle.vertices.iter().all(in_range),
+        "a vertex lies too far outside: {triangle:?}"
+    );
     match triangle.doubled_area() {
         0 => None,
         area if area > 0 => Some([a, b, c]),
@@ -236,8 +267,115 @@ fn anticlockwise(triangle: &ScreenTriangle) -> Option<[ScreenVertex; 3]> {
 
 /// Those of `pixels` whose centres lie between two snapped coordinates, both included.
 fn pixels_between(lowest: i64, highest: i64, pixels: Range<u32>) -> Range<u32> {
-    let first = (lowest + SUBPIXELS - 1).div_euclid(SUBPIXELS).max(pixels.start.into());
+    let first = (lowest + SUBPIXELS - 1)
+        .div_euclid(SUBPIXELS)
+        .max(pixels.start.into());
     let end = (highest.div_euclid(SUBPIXELS) + 1).min(pixels.end.into());
     // Clamped to `pixels`, both fit in 32 bits.
-    if first < end { first as u32..end as u32 } else { pixels.start..pixels.start }
+    if first < end {
+        first as u32..end as u32
+    } else {
+        pixels.start..pixels.start
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::vec3;
+
+    fn triangle(corners: [(f32, f32, f32); 3]) -> ScreenTriangle {
+        let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
+        let vertex = |k: usize| {
+            let (x, y, z) = corners[k];
+            ScreenVertex {
+                position: vec3(x, y, z),
+                inv_w: -0.5,
+                weights: weights[k],
+            }
+        };
+        ScreenTriangle {
+            vertices: [0, 1, 2].map(vertex),
+        }
+    }
+
+    fn pixels(triangle: &ScreenTriangle) -> Vec<(u32, u32)> {
+        let mut all = Vec::new();
+        rasterize(triangle, 16, 12, |f| all.push((f.i, f.j)));
+        all
+    }
+
+    #[test]
+    fn a_rectangle_owns_its_left_and_its_top_side() {
+        // Corners on the samples (2, 3) and (5, 5): 3 × 2 of the 4 × 3 samples, left column in, lowest row out.
+        let lower = pixels(&triangle([(2.0, 3.0, 0.0), (5.0, 3.0, 0.0), (5.0, 5.0, 0.0)]));
+        let upper = pixels(&triangle([(2.0, 3.0, 0.0), (5.0, 5.0, 0.0), (2.0, 5.0, 0.0)]));
+        let mut both = [lower, upper].concat();
+        both.sort_unstable_by_key(|(i, j)| (*j, *i));
+        assert_eq!(both, [(2, 4), (3, 4), (4, 4), (2, 5), (3, 5), (4, 5)]);
+    }
+
+    #[test]
+    fn depth_and_weights_are_worked_out_by_hand() {
+        let t = triangle([(1.0, 1.0, 0.0), (9.0, 1.0, 0.8), (1.0, 5.0, 0.4)]);
+        let mut at_3_2 = None;
+        rasterize(&t, 16, 12, |f| {
+            at_3_2 = if (f.i, f.j) == (3, 2) { Some(f) } else { at_3_2 }
+        });
+        // β = (3 − 1) / 8, γ = (2 − 1) / 4; z = ¼ · 0.8 + ¼ · 0.4.
+        let weights = Barycentric {
+            alpha: 0.5,
+            beta: 0.25,
+            gamma: 0.25,
+        };
+        assert_eq!(
+            at_3_2,
+            Some(Fragment {
+                i: 3,
+                j: 2,
+                z: 0.3,
+                weights
+            })
+        );
+    }
+
+    #[test]
+    fn triangles_without_area_or_off_the_screen_cover_nothing() {
+        assert!(pixels(&triangle([(1.0, 1.0, 0.0), (5.0, 3.0, 0.0), (9.0, 5.0, 0.0)])).is_empty());
+        assert!(pixels(&triangle([(-9.0, 1.0, 0.0), (-1.0, 2.0, 0.0), (-3.0, 8.0, 0.0)])).is_empty());
+        assert!(pixels(&triangle([(20.0, 1.0, 0.0), (40.0, 2.0, 0.0), (30.0, 8.0, 0.0)])).is_empty());
+        rasterize_rows(
+            &triangle([(0.0, 0.0, 0.0), (8.0, 0.0, 0.0), (0.0, 8.0, 0.0)]),
+            0,
+            0..12,
+            |_| panic!("no columns"),
+        );
+    }
+
+    #[test]
+    fn the_largest_triangle_has_sane_numbers() {
+        let far = GREATEST_PIXEL;
+        let t = triangle([(-far, -far, 0.25), (far, -far, 0.75), (-far, far, 0.5)]);
+        let mut at_0_0 = None;
+        rasterize(&t, 1, 1, |f| at_0_0 = Some(f));
+        // The pixel is the middle of the long side, which lies on its upper right: not owned, so a hair larger it is.
+        assert_eq!(at_0_0, None);
+        let t = triangle([(-far, -far, 0.25), (far, -far + 4.0, 0.75), (-far, far, 0.5)]);
+        rasterize(&t, 1, 1, |f| at_0_0 = Some(f));
+        let f = at_0_0.expect("now it is inside");
+        assert!(
+            (f.z - 0.625).abs() < 1e-5 && (f.weights.beta - 0.5).abs() < 1e-5,
+            "{f:?}"
+        );
+    }
+
+    #[test]
+    #[should_panic(expected = "depth NaN")]
+    fn a_depth_that_is_not_a_number_is_the_callers_mistake() {
+        pixels(&triangle([
+            (1.0, 1.0, f32::INFINITY),
+            (9.0, 1.0, 0.8),
+            (1.0, 5.0, 0.4),
+        ]));
+    }
 }

@@ -27,7 +27,11 @@ fn position(reach: i64) -> impl Strategy<Value = I64Vec2> + Clone {
 /// A vertex exactly at a snapped position. Below 2^24 snapped units, which is 2^16 pixels, an `f32` holds it exactly.
 fn vertex(p: I64Vec2, z: f32, inv_w: f32, weights: Barycentric) -> ScreenVertex {
     let [x, y] = p.to_array().map(|snapped| snapped as f32 / SUBPIXELS as f32);
-    ScreenVertex { position: Vec3::new(x, y, z), inv_w, weights }
+    ScreenVertex {
+        position: Vec3::new(x, y, z),
+        inv_w,
+        weights,
+    }
 }
 
 /// A triangle of constant depth and w.
@@ -74,11 +78,16 @@ fn triangulation(lowest: I64Vec2, highest: I64Vec2, points: &[I64Vec2]) -> Vec<[
     let (b, d) = (I64Vec2::new(c.x, a.y), I64Vec2::new(a.x, c.y));
     let mut triangles = vec![[a, b, c], [a, c, d]];
     for &p in points {
-        let contains = |[a, b, c]: &[I64Vec2; 3]| area(*a, *b, p).min(area(*b, *c, p)).min(area(*c, *a, p)) >= 0;
+        let contains =
+            |[a, b, c]: &[I64Vec2; 3]| area(*a, *b, p).min(area(*b, *c, p)).min(area(*c, *a, p)) >= 0;
         let (hit, mut rest): (Vec<_>, Vec<_>) = triangles.into_iter().partition(contains);
         // On an edge, p splits both neighbours in two; inside, one triangle in three; on a vertex, nothing.
         for [a, b, c] in hit {
-            rest.extend([[p, b, c], [a, p, c], [a, b, p]].into_iter().filter(|[a, b, c]| area(*a, *b, *c) > 0));
+            rest.extend(
+                [[p, b, c], [a, p, c], [a, b, p]]
+                    .into_iter()
+                    .filter(|[a, b, c]| area(*a, *b, *c) > 0),
+            );
         }
         triangles = rest;
     }
