@@ -204,4 +204,27 @@ mod tests {
         let at_corner = gouraud_colors(&facet, &lighting)[0];
         assert!(at_corner.abs_diff_eq(vec3(0.5, 0.25, 1.0) * 4.0 / 18.0_f32.sqrt(), 1e-6));
     }
+
+    #[test]
+    fn gouraud_shading_asks_at_the_corners_with_the_vertex_normals() {
+        let lights = [Light::Directional {
+            to_light: Vec3::Z,
+            color: vec3(1.0, 0.5, 2.0),
+        }];
+        let facet = Facet {
+            corners: Triangle::new(Vec3::ZERO, vec3(3.0, 0.0, 0.0), vec3(0.0, 3.0, 0.0)),
+            face_normal: Vec3::Z,
+            corner_normals: [Vec3::Z, vec3(0.6, 0.0, 0.8), vec3(0.0, 0.8, 0.6)],
+            material: Material::matt(vec3(0.5, 1.0, 0.25)),
+        };
+        let lighting = Lighting {
+            lights: &lights,
+            highlight: Highlight::Blinn,
+            eye: vec3(1.0, 2.0, 5.0),
+        };
+        let full = vec3(0.5, 0.5, 0.5);
+        assert_eq!(gouraud_colors(&facet, &lighting), [full, 0.8 * full, 0.6 * full]);
+        let surface = Surface::new(Shading::Gouraud, facet, lighting);
+        assert!(surface.color(MIDDLE).abs_diff_eq(0.9 * full, 1e-6));
+    }
 }

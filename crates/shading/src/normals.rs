@@ -259,16 +259,29 @@ mod tests {
     }
 
     #[test]
-    fn three_sheets_at_one_edge_join_only_their_neighbours() {
-        // Sheets at 0°, 40° and 180° about the z axis: the first two are a crease of 140°, the third lies opposite.
-        let sheet = |degrees: f32| vec3(degrees.to_radians().cos(), degrees.to_radians().sin(), 0.0);
-        let positions = vec![Vec3::ZERO, Vec3::Z, sheet(0.0), sheet(200.0), sheet(90.0)];
-        // Normals: the first at −90°, the second at −70°, the third at 0°.
-        let mesh = Mesh::new(positions, vec![[0, 2, 1], [0, 1, 3], [0, 4, 1]]).unwrap();
+    fn sheets_at_one_edge_join_with_those_that_are_next_about_it() {
+        // Five sheets at the z axis whose normals point to 0°, 180°, 20°, −90° and 90°, in this order in the file: the
+        // first and the third belong together, though others stand between them.
+        let far_corner = |towards: f32| vec3(-towards.to_radians().sin(), towards.to_radians().cos(), 0.0);
+        let sheets = [0.0, 180.0, 20.0, -90.0, 90.0];
+        let positions = [Vec3::ZERO, Vec3::Z]
+            .into_iter()
+            .chain(sheets.map(far_corner))
+            .collect();
+        let mesh = Mesh::new(positions, (2..7).map(|far| [0, far, 1]).collect()).unwrap();
         let normals = vertex_normals(&mesh, 0.5);
-        let index = |k: usize| normals.triangles[k][0];
-        assert_eq!(index(0), index(1));
-        assert_ne!(index(0), index(2));
+        let index = normals
+            .triangles
+            .iter()
+            .map(|corners| corners[0])
+            .collect::<Vec<_>>();
+        assert_eq!(index, [0, 1, 0, 2, 3]);
+        let between = 10.0_f32.to_radians();
+        assert!(
+            normals.values[0].abs_diff_eq(vec3(between.cos(), between.sin(), 0.0), 1e-6),
+            "{}",
+            normals.values[0]
+        );
     }
 
     #[test]

@@ -101,3 +101,74 @@ impl Lighting<'_> {
         )
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::vec3;
+
+    use super::*;
+
+    fn two_triangles() -> Mesh {
+        let positions = vec![Vec3::ZERO, vec3(2.0, 0.0, 0.0), vec3(0.0, 3.0, 0.0)];
+        Mesh::new(positions, vec![[0, 1, 2]; 2])
+            .and_then(|mesh| mesh.with_materials(vec![0, 7]))
+            .unwrap()
+    }
+
+    #[test]
+    fn a_material_beyond_the_list_is_its_last_and_of_an_empty_list_the_default() {
+        let mesh = two_triangles();
+        let materials = [1.0, 2.0, 3.0].map(|exponent| Material::new(vec3(0.1, 0.2, 0.3), exponent));
+        let object = |materials| Object {
+            mesh: &mesh,
+            world_from_object: Mat4::IDENTITY,
+            materials,
+        };
+        assert_eq!(
+            [0, 1].map(|k| object(&materials).material(k).exponent),
+            [1.0, 3.0]
+        );
+        assert_eq!(object(&[]).material(1), Material::default());
+    }
+
+    #[test]
+    fn a_surface_at_the_eye_has_a_color() {
+        let lights = [Light::Directional {
+            to_light: Vec3::Z,
+            color: Vec3::ONE,
+        }];
+        let eye = vec3(1.0, 2.0, 3.0);
+        let color = |highlight| {
+            let material = Material::new(vec3(0.5, 0.25, 0.0), 9.0);
+            Lighting {
+                lights: &lights,
+                highlight,
+                eye,
+            }
+            .color(&material, eye, Vec3::Z)
+        };
+        assert_eq!(
+            [Highlight::Blinn, Highlight::Phong].map(color),
+            [vec3(1.5, 1.25, 1.0); 2]
+        );
+    }
+
+    #[test]
+    #[should_panic(expected = "object 1 has a matrix that is not finite")]
+    fn a_matrix_with_a_nan_is_the_callers_mistake() {
+        let mesh = two_triangles();
+        let object = |scale| Object {
+            mesh: &mesh,
+            world_from_object: Mat4::IDENTITY * scale,
+            materials: &[],
+        };
+        let objects = [object(1.0), object(f32::NAN)];
+        World {
+            objects: &objects,
+            lights: &[],
+            background: Rgb::ZERO,
+            highlight: Highlight::Blinn,
+        }
+        .check();
+    }
+}

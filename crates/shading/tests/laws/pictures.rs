@@ -193,7 +193,13 @@ fn the_normals_of_a_ball_get_better_with_each_level_and_interpolated_ones_are_be
         assert!(flat[level + 1] < 0.7 * flat[level], "{flat:?}");
         assert!(phong[level] < 0.2 * flat[level], "{phong:?} {flat:?}");
     }
-    assert!(phong[4] < 0.5 * phong[1], "{phong:?}");
+    // Around each vertex of the two coarsest balls the faces are mirror images: the normals are exact. On finer ones they
+    // are not, and the error falls with the size of the faces.
+    assert!(phong[0].max(phong[1]) < 1e-3, "{phong:?}"); // √(8 · 2⁻²³): an angle from a cosine off by four roundings
+    assert!(
+        phong[3] < 0.6 * phong[2] && phong[4] < 0.6 * phong[3],
+        "{phong:?}"
+    );
 }
 
 #[test]

@@ -216,7 +216,13 @@ fn normals_lie_on_the_side_of_the_eye_also_in_a_mirror() {
         ensure(distance >= -30.0 * 400.0 * f32::EPSILON, || {
             format!("the eye lies {distance} behind")
         })?;
-        ensure_close("corner normal", facet.corner_normals[1], facet.face_normal, 0.0)?;
+        // The mesh brought its normal to unit length once more, which moves it by a rounding or two.
+        ensure_close(
+            "corner normal",
+            facet.corner_normals[1],
+            facet.face_normal,
+            4.0 * f32::EPSILON,
+        )?;
         ensure_close(
             "perpendicular",
             front.cross(facet.face_normal).length(),
