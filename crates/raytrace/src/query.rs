@@ -46,7 +46,11 @@ impl Hit {
     /// The geometric normal on the side from which `ray` came.
     #[must_use]
     pub fn normal_towards(&self, ray: &Ray) -> Vec3 {
-        if self.is_front(ray) { self.normal } else { -self.normal }
+        if self.is_front(ray) {
+            self.normal
+        } else {
+            -self.normal
+        }
     }
 
     /// Whether `ray` sees the front.
@@ -94,7 +98,9 @@ pub fn nearest_brute(world: &World, ray: &Ray, t0: f32, t1: f32) -> Option<Hit> 
 #[must_use]
 pub fn nearest(world: &World, ray: &Ray, t0: f32, t1: f32) -> Option<Hit> {
     let space_ray = SpaceRay::new(ray)?;
-    let Some(box_ray) = BoxRay::new(&space_ray) else { return nearest_brute(world, ray, t0, t1) };
+    let Some(box_ray) = BoxRay::new(&space_ray) else {
+        return nearest_brute(world, ray, t0, t1);
+    };
     let mut nearest = Nearest::new(t0, t1);
     for k in world.unbounded() {
         nearest.in_object(world, *k as usize, &space_ray, Search::Hierarchy);
@@ -118,8 +124,12 @@ pub fn any_hit_brute(world: &World, ray: &Ray, t0: f32, t1: f32) -> bool {
 /// Whether anything is met with t0 < t < t1, through the hierarchies: for shadow rays, which need not know what (L56).
 #[must_use]
 pub fn any_hit(world: &World, ray: &Ray, t0: f32, t1: f32) -> bool {
-    let Some(space_ray) = SpaceRay::new(ray) else { return false };
-    let Some(box_ray) = BoxRay::new(&space_ray) else { return any_hit_brute(world, ray, t0, t1) };
+    let Some(space_ray) = SpaceRay::new(ray) else {
+        return false;
+    };
+    let Some(box_ray) = BoxRay::new(&space_ray) else {
+        return any_hit_brute(world, ray, t0, t1);
+    };
     let meets = |k: &u32| any_in_object(&world.objects()[*k as usize], &space_ray, t0, t1);
     let mut found = world.unbounded().iter().any(meets);
     if !found {
@@ -160,7 +170,12 @@ struct Candidate {
 
 impl Nearest {
     fn new(t0: f32, t1: f32) -> Self {
-        Self { t0, t1, object: 0, best: None }
+        Self {
+            t0,
+            t1,
+            object: 0,
+            best: None,
+        }
     }
 
     /// Where hits may lie that are still of interest, ends included: an equally near one may win the tie.
@@ -175,12 +190,16 @@ impl Nearest {
         let better = match &self.best {
             None => self.t0 < hit.t && hit.t < self.t1,
             Some(best) => {
-                self.t0 < hit.t
-                    && (hit.t < best.t || hit.t == best.t && key < (best.object, best.triangle))
+                self.t0 < hit.t && (hit.t < best.t || hit.t == best.t && key < (best.object, best.triangle))
             }
         };
         if better {
-            self.best = Some(Candidate { t: hit.t, object: self.object, triangle, weights: hit.weights });
+            self.best = Some(Candidate {
+                t: hit.t,
+                object: self.object,
+                triangle,
+                weights: hit.weights,
+            });
         }
     }
 
@@ -188,7 +207,15 @@ impl Nearest {
         let object = &world.objects()[k];
         let ray = ray.transformed(object.object_from_world());
         self.object = k as u32;
-        let mut offer = |t: f64| self.offer(0, TriangleHit { t: t as f32, weights: Barycentric::A });
+        let mut offer = |t: f64| {
+            self.offer(
+                0,
+                TriangleHit {
+                    t: t as f32,
+                    weights: Barycentric::A,
+                },
+            )
+        };
         match object.shape() {
             Shape::Mesh(traced) if search == Search::BruteForce => traced.nearest_brute(&ray, self),
             Shape::Mesh(traced) => traced.nearest(&ray, self),
@@ -202,14 +229,27 @@ impl Nearest {
     }
 
     fn hit(&self, world: &World, ray: &SpaceRay) -> Option<Hit> {
-        let Candidate { t, object, triangle, weights } = self.best?;
+        let Candidate {
+            t,
+            object,
+            triangle,
+            weights,
+        } = self.best?;
         let (object, triangle) = (object as usize, triangle as usize);
         let thing = &world.objects()[object];
         let p_object = ray.transformed(thing.object_from_world()).at(f64::from(t));
         let (point, normal) = thing.point_and_normal(triangle, weights, p_object);
         let far = ray.origin.abs().max_element() + f64::from(t).abs() * ray.direction.abs().max_element();
         let clearance = clearance(point.abs().max_element(), thing.scale() + far);
-        Some(Hit { t, object, triangle, weights, point: point.as_vec3(), normal, clearance })
+        Some(Hit {
+            t,
+            object,
+            triangle,
+            weights,
+            point: point.as_vec3(),
+            normal,
+            clearance,
+        })
     }
 }
 

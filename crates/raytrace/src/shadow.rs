@@ -59,7 +59,9 @@ pub fn light_share(world: &World, ray: &Ray, hit: &Hit, light: &Illumination, se
         Search::Hierarchy => nearest(world, &shadow_ray, t0, light.distance),
         Search::BruteForce => nearest_brute(world, &shadow_ray, t0, light.distance),
     } {
-        let Optics::Glass { transmittance, .. } = world.surface(&between).optics else { return Rgb::ZERO };
+        let Optics::Glass { transmittance, .. } = world.surface(&between).optics else {
+            return Rgb::ZERO;
+        };
         share *= transmittance;
         t0 = between.t;
     }

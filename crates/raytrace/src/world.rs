@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use canvas::Rgb;
-use geometry::{Aabb, Barycentric, Plane, Sphere, mesh::normal_matrix};
-use glam::{DAffine3, DMat4, DVec3, Mat3, Mat4, Vec3};
+use geometry::{Aabb, Barycentric, Plane, Sphere};
+use glam::{DAffine3, DMat3, DVec3, Mat4, Vec3};
 use lighting::{Highlight, Light, Material};
 
 use crate::TracedMesh;
@@ -60,7 +60,10 @@ impl Surface {
     /// An opaque surface.
     #[must_use]
     pub fn opaque(material: Material) -> Self {
-        Self { material, optics: Optics::Opaque }
+        Self {
+            material,
+            optics: Optics::Opaque,
+        }
     }
 }
 
@@ -89,8 +92,8 @@ pub struct Object {
     surfaces: Vec<Surface>,
     world_from_object: DAffine3,
     object_from_world: DAffine3,
-    /// Turns normals; the front of a mirrored mesh stays its front.
-    normal_matrix: Mat3,
+    /// Turns normals: the inverse transpose of the map. Under a map that mirrors, the front stays the front.
+    normal_matrix: DMat3,
     /// Around the object in the world; `None` for a plane.
     bounds: Option<Aabb>,
     /// The size of the numbers that arise between the object's space and the world's.
@@ -113,7 +116,9 @@ pub enum ObjectError {
     #[error("the object is too large, or too far away, for 32-bit numbers")]
     TooLarge,
     /// A radius, centre or normal that makes no shape.
-    #[error("a sphere needs a finite centre and a positive radius, a plane a finite offset and a normal that is not zero")]
+    #[error(
+        "a sphere needs a finite centre and a positive radius, a plane a finite offset and a normal that is not zero"
+    )]
     Degenerate,
 }
 
@@ -150,8 +155,16 @@ impl Object {
             return Err(ObjectError::Singular(world_from_object));
         }
         let (bounds, scale) = extent(&shape, &forth)?;
-        let normal_matrix = normal_matrix(&unit_sized(world_from_object));
-        Ok(Self { shape, surfaces, world_from_object: forth, object_from_world: back, normal_matrix, bounds, scale })
+        let normal_matrix = back.matrix3.transpose();
+        Ok(Self {
+            shape,
+            surfaces,
+            world_from_object: forth,
+            object_from_world: back,
+            normal_matrix,
+            bounds,
+            scale,
+        })
     }
 
     /// The shape, in its own space.
@@ -173,16 +186,29 @@ impl Object {
     /// The corners of a triangle of a mesh, world space; `None` for other shapes.
     #[must_use]
     pub fn corners(&self, triangle: usize) -> Option<[Vec3; 3]> {
-        let Shape::Mesh(traced) = &self.shape else { return None };
-        Some(traced.mesh().triangle(triangle).corners().map(|corner| self.to_world(corner.as_dvec3()).as_vec3()))
+        let Shape::Mesh(traced) = &self.shape else {
+            return None;
+        };
+        Some(
+            traced
+                .mesh()
+                .triangle(triangle)
+                .corners()
+                .map(|corner| self.to_world(corner.as_dvec3()).as_vec3()),
+        )
     }
 
     /// The unit normals at the corners of a triangle, world space, on the side of its front; `None` for other shapes
     /// and where the mesh has none.
     #[must_use]
     pub fn corner_normals(&self, triangle: usize) -> Option<[Vec3; 3]> {
-        let Shape::Mesh(traced) = &self.shape else { return None };
-        let normals = traced.mesh().corner_normals(triangle)?.map(|n| (self.normal_matrix * n).normalize_or_zero());
+        let Shape::Mesh(traced) = &self.shape else {
+            return None;
+        };
+        let normals = traced
+            .mesh()
+            .corner_normals(triangle)?
+            .map(|n| self.normal_to_world(n.as_dvec3()));
         normals.iter().all(|n| *n != Vec3::ZERO).then_some(normals)
     }
 
@@ -199,33 +225,40 @@ impl Object {
     }
 
     /// The point that a ray hit near `p_object`, exactly on the surface, and the unit normal there; world space.
-    pub(crate) fn point_and_normal(&self, triangle: usize, weights: Barycentric, p_object: DVec3) -> (DVec3, Vec3) {
+    pub(crate) fn point_and_normal(
+        &self,
+        triangle: usize,
+        weights: Barycentric,
+        p_object: DVec3,
+    ) -> (DVec3, Vec3) {
         let (p, n) = match &self.shape {
             Shape::Mesh(traced) => {
                 let corners = traced.mesh().triangle(triangle).corners();
                 let [a, b, c] = corners.map(|corner| corner.as_dvec3());
-                (point_in_plane(&corners, weights), (b - a).cross(c - a).normalize_or_zero())
+                (
+                    point_in_plane(&corners, weights),
+                    (b - a).cross(c - a).normalize_or_zero(),
+                )
             }
             Shape::Sphere(sphere) => {
                 let p = crate::sphere::onto(sphere, p_object);
                 (p, (p - sphere.center.as_dvec3()).normalize_or_zero())
             }
-            Shape::Plane(plane) => (crate::plane::onto(plane, p_object), plane.normal.as_dvec3().normalize_or_zero()),
+            Shape::Plane(plane) => (
+                crate::plane::onto(plane, p_object),
+                plane.normal.as_dvec3().normalize_or_zero(),
+            ),
         };
-        let n_world = (self.normal_matrix.as_dmat3() * n).normalize_or_zero();
-        (self.to_world(p), n_world.as_vec3())
+        (self.to_world(p), self.normal_to_world(n))
+    }
+
+    fn normal_to_world(&self, n_object: DVec3) -> Vec3 {
+        (self.normal_matrix * n_object).normalize_or_zero().as_vec3()
     }
 
     fn to_world(&self, p_object: DVec3) -> DVec3 {
         self.world_from_object.transform_point3(p_object)
     }
-}
-
-/// The same map up to a factor, of a size at which the products in its cofactors neither over- nor underflow.
-fn unit_sized(m: Mat4) -> Mat4 {
-    let size = Mat3::from_mat4(m).to_cols_array().into_iter().fold(0.0, |size: f32, x| size.max(x.abs()));
-    let scaled = m.as_dmat4() * DMat4::from_scale(DVec3::splat(f64::from(size).recip()));
-    scaled.as_mat4()
 }
 
 /// Rounding of a box to f32, several times over, as a share of its largest coordinate.
@@ -237,7 +270,10 @@ fn extent(shape: &Shape, world_from_object: &DAffine3) -> Result<(Option<Aabb>, 
         Shape::Mesh(traced) => traced.mesh().aabb(),
         Shape::Sphere(sphere) if sphere.center.is_finite() && sphere.radius > 0.0 => sphere.aabb(),
         Shape::Plane(plane) if plane.offset.is_finite() && plane.normal.try_normalize().is_some() => {
-            return Ok((None, world_from_object.translation.length() + f64::from(plane.offset.abs())));
+            return Ok((
+                None,
+                world_from_object.translation.length() + f64::from(plane.offset.abs()),
+            ));
         }
         Shape::Sphere(_) | Shape::Plane(_) => return Err(ObjectError::Degenerate),
     };
@@ -249,13 +285,18 @@ fn extent(shape: &Shape, world_from_object: &DAffine3) -> Result<(Option<Aabb>, 
         let m = &world_from_object.matrix3;
         (m.x_axis * corner.x).abs() + (m.y_axis * corner.y).abs() + (m.z_axis * corner.z).abs()
     });
-    let scale = sizes.into_iter().fold(0.0, |size: f64, s| size.max(s.max_element()))
+    let scale = sizes
+        .into_iter()
+        .fold(0.0, |size: f64, s| size.max(s.max_element()))
         + world_from_object.translation.abs().max_element();
     let slack = BOX_SLACK * scale;
     let world = corners.map(|corner| world_from_object.transform_point3(corner));
     let min = world.into_iter().fold(DVec3::INFINITY, DVec3::min) - slack;
     let max = world.into_iter().fold(DVec3::NEG_INFINITY, DVec3::max) + slack;
-    let bounds = Aabb { min: min.as_vec3(), max: max.as_vec3() };
+    let bounds = Aabb {
+        min: min.as_vec3(),
+        max: max.as_vec3(),
+    };
     if bounds.min.is_finite() && bounds.max.is_finite() {
         Ok((Some(bounds), scale))
     } else {
@@ -299,8 +340,14 @@ impl World {
     /// ```
     #[must_use]
     pub fn new(objects: Vec<Object>, lights: Vec<Light>) -> Self {
-        let boxes: Vec<Aabb> = objects.iter().map(|object| object.bounds().unwrap_or(Aabb::EMPTY)).collect();
-        let unbounded = (0..objects.len()).filter(|k| objects[*k].bounds().is_none()).map(|k| k as u32).collect();
+        let boxes: Vec<Aabb> = objects
+            .iter()
+            .map(|object| object.bounds().unwrap_or(Aabb::EMPTY))
+            .collect();
+        let unbounded = (0..objects.len())
+            .filter(|k| objects[*k].bounds().is_none())
+            .map(|k| k as u32)
+            .collect();
         let is_glass = |surface: &Surface| matches!(surface.optics, Optics::Glass { .. });
         let has_glass = objects.iter().flat_map(|object| &object.surfaces).any(is_glass);
         Self {
@@ -334,9 +381,14 @@ impl World {
         if self.interpolation == Interpolation::Flat {
             return hit.normal;
         }
-        let Some([n0, n1, n2]) = self.objects[hit.object].corner_normals(hit.triangle) else { return hit.normal };
+        let Some([n0, n1, n2]) = self.objects[hit.object].corner_normals(hit.triangle) else {
+            return hit.normal;
+        };
         // Opposite normals may cancel; then they say nothing.
-        hit.weights.interpolate(n0, n1, n2).try_normalize().unwrap_or(hit.normal)
+        hit.weights
+            .interpolate(n0, n1, n2)
+            .try_normalize()
+            .unwrap_or(hit.normal)
     }
 
     /// Whether any surface is glass: else a shadow ray need not know what it meets.
