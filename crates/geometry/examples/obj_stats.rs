@@ -1,5 +1,6 @@
 //! What is in this OBJ file? `cargo run --release -p geometry --example obj_stats -- MESH.obj`
 
+use std::io::Write;
 use std::path::Path;
 use std::time::Instant;
 
@@ -15,20 +16,23 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     let mesh = &import.mesh;
     let size = mesh.aabb().size();
-    println!(
+    let mut out = std::io::stdout().lock();
+    writeln!(
+        out,
         "{} triangles over {} positions, {milliseconds:.1} ms",
         mesh.len(),
         mesh.positions().len()
-    );
-    println!("size {} × {} × {}", size.x, size.y, size.z);
-    println!(
+    )?;
+    writeln!(out, "size {} × {} × {}", size.x, size.y, size.z)?;
+    writeln!(
+        out,
         "normals: {}, texture: {}",
         mesh.normals().is_some(),
         mesh.texture_coordinates().is_some()
-    );
-    println!("materials: {}", import.materials.len());
+    )?;
+    writeln!(out, "materials: {}", import.materials.len())?;
     for warning in &import.warnings {
-        println!("warning: {warning}");
+        writeln!(out, "warning: {warning}")?;
     }
     Ok(())
 }
