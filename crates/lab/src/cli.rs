@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{NonEmptyStringValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
+use scene::limits::{GREATEST_DEPTH, GREATEST_SAMPLES, GREATEST_SIDE};
 use scene::{Named, Renderer, Shading, Show, parse_name};
 
 /// What ended well, for the exit code.
@@ -62,8 +63,7 @@ Examples:
     bin_name = "cargo lab",
     version,
     after_help = EXIT_CODES,
-    max_term_width = 100,
-    disable_help_subcommand = true
+    max_term_width = 100
 )]
 pub(crate) struct Cli {
     /// Without one: the help text.
@@ -75,7 +75,7 @@ pub(crate) struct Cli {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Draw a scene or a mesh and write the picture to a file
-    #[command(after_help = RENDER_EXAMPLES)]
+    #[command(after_help = RENDER_EXAMPLES, args_override_self = true)]
     Render(RenderArgs),
     /// Say whether two pictures are the same, and where they differ
     #[command(after_help = COMPARE_EXAMPLES)]
@@ -115,20 +115,20 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "WHAT", value_parser = named::<Show>())]
     pub(crate) show: Option<Show>,
 
-    /// Average N × N samples in each pixel, for smooth edges
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    /// Average N × N samples in each pixel, for smooth edges; 1 to 16
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole(1, GREATEST_SAMPLES))]
     pub(crate) samples: Option<u32>,
 
     /// Use N threads [default: one for each processor]. The picture does not depend on it
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MOST_THREADS))]
-    pub(crate) threads: Option<u16>,
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole(1, MOST_THREADS))]
+    pub(crate) threads: Option<u32>,
 
     /// Let no object cast a shadow (only the ray tracer draws shadows)
     #[arg(long)]
     pub(crate) no_shadows: bool,
 
-    /// Follow light through at most N mirrors or glass surfaces (only the ray tracer does); 0: through none
-    #[arg(long, value_name = "N")]
+    /// Follow light through at most N mirrors or glass surfaces (only the ray tracer does); 0: through none; at most 64
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole(0, GREATEST_DEPTH))]
     pub(crate) max_depth: Option<u32>,
 }
 
@@ -149,7 +149,7 @@ pub(crate) struct CompareArgs {
 
     /// The greatest difference of a channel that still counts as the same: 0 to 1, where 1 is from black to white and
     /// 1/255 is one step of an 8-bit file. OpenEXR is compared as a screen would show it: sRGB, clamped to 0 … 1
-    #[arg(long, value_name = "T", default_value = "0", value_parser = tolerance)]
+    #[arg(long, value_name = "T", default_value = "0", allow_negative_numbers = true, value_parser = tolerance)]
     pub(crate) tolerance: f32,
 }
 
@@ -162,11 +162,22 @@ pub(crate) struct ScenesArgs {
 }
 
 /// More threads than any computer this runs on has processors; the system refuses numbers far above.
-const MOST_THREADS: i64 = 1024;
+const MOST_THREADS: u32 = 1024;
 
 /// Choices by the names that scene files use as well.
 fn named<T: Named + Send + Sync>() -> impl TypedValueParser<Value = T> {
     PossibleValuesParser::new(T::ALL.iter().map(|(name, _)| *name)).try_map(|name| parse_name(&name))
+}
+
+/// A whole number from `least` to `greatest`.
+fn whole(least: u32, greatest: u32) -> impl TypedValueParser<Value = u32> {
+    NonEmptyStringValueParser::new().try_map(move |text| {
+        let number = text
+            .parse()
+            .ok()
+            .filter(|number| (least..=greatest).contains(number));
+        number.ok_or_else(|| format!("expected a whole number from {least} to {greatest}"))
+    })
 }
 
 /// `640x480` is (640, 480).
@@ -184,6 +195,9 @@ fn size(text: &str) -> Result<(u32, u32), String> {
     );
     if size.0 == 0 || size.1 == 0 {
         return Err("width and height must be at least 1 pixel".to_owned());
+    }
+    if size.0.max(size.1) > GREATEST_SIDE {
+        return Err(format!("width and height must be at most {GREATEST_SIDE} pixels"));
     }
     Ok(size)
 }
@@ -216,9 +230,23 @@ mod tests {
     fn a_size_is_two_whole_numbers() {
         assert_eq!(size("640x480"), Ok((640, 480)));
         assert_eq!(size("7×3"), Ok((7, 3)));
-        assert_eq!(size("99999999999x1"), Ok((u32::MAX, 1)));
         for wrong in [
-            "", "12", "x", "axb", "640x", "x480", "-1x5", "+1x5", "1.5x2", "1x2x3", "0x7", "7x0", "1 x 2",
+            "",
+            "12",
+            "x",
+            "axb",
+            "640x",
+            "x480",
+            "-1x5",
+            "+1x5",
+            "1.5x2",
+            "1x2x3",
+            "0x7",
+            "7x0",
+            "1 x 2",
+            "1000000x1000000",
+            "99999999999x1",
+            "1x16385",
             "٣x٣",
         ] {
             assert!(size(wrong).is_err(), "{wrong}");

@@ -33,8 +33,13 @@ impl Failure {
 
     /// A picture file that cannot be decoded.
     pub(crate) fn unreadable(path: &Path, error: &CodecError) -> Self {
+        let problem = match error {
+            // Some reasons are the insides of a library, which tell a user nothing.
+            CodecError::Unreadable { reason } if reason.contains('{') => "its bytes are damaged".to_owned(),
+            other => other.to_string(),
+        };
         Self::new(
-            format!("cannot read {}: {error}", path.display()),
+            format!("cannot read {}: {problem}", path.display()),
             "give a PNG or OpenEXR file, such as `cargo lab render` writes",
         )
     }
@@ -49,7 +54,7 @@ impl From<SceneError> for Failure {
                 error.file,
                 number(error.line),
                 number(error.column),
-                error.problem
+                without_number(&error.problem)
             ),
             error.remedy,
         )
@@ -58,18 +63,25 @@ impl From<SceneError> for Failure {
 
 impl From<RenderError> for Failure {
     fn from(error: RenderError) -> Self {
-        Self::new(
-            error.to_string(),
-            "change the scene, or the flags given on the command line",
-        )
+        let remedy = match &error {
+            RenderError::Scene(fault) => return fault.clone().into(),
+            RenderError::Setting { .. } | RenderError::TooManyPixels { .. } => {
+                "change it with --size, --samples or --max-depth, or in the scene file"
+            }
+            RenderError::TooManyToPaint { .. } => "choose another renderer: --renderer zbuffer, say",
+            _ => "change the scene file",
+        };
+        Self::new(error.to_string(), remedy)
     }
 }
 
 /// The system's own words, without the number that it adds to them.
 pub(crate) fn reason(error: &io::Error) -> String {
-    let words = error.to_string();
-    let end = words.find(" (os error").unwrap_or(words.len());
-    words[..end].to_owned()
+    without_number(&error.to_string()).to_owned()
+}
+
+fn without_number(words: &str) -> &str {
+    words.find(" (os error").map_or(words, |end| &words[..end])
 }
 
 #[cfg(test)]

@@ -95,10 +95,12 @@ fn format_of(named: &Path) -> Result<Format, Failure> {
         ));
     }
     Format::from_path(named).map_err(|error| {
-        let png = named.with_extension("png");
         Failure::new(
             format!("cannot write {}: {error}", named.display()),
-            format!("the extension chooses the format: -o {}, say", png.display()),
+            format!(
+                "the extension chooses the format: -o {}, say",
+                named.with_file_name("picture.png").display()
+            ),
         )
     })
 }
@@ -109,12 +111,14 @@ fn beyond_links(named: &Path) -> Result<PathBuf, Failure> {
         return Ok(named.to_owned());
     }
     fs::canonicalize(named).map_err(|error| {
-        Failure::io(
-            "follow the symbolic link",
-            named,
-            &error,
-            "remove the link, or name the file itself with -o",
-        )
+        let remedy = "remove the link, or choose another name with -o";
+        match error.kind() {
+            io::ErrorKind::NotFound => Failure::new(
+                format!("{} is a symbolic link to nothing", named.display()),
+                remedy,
+            ),
+            _ => Failure::io("follow the symbolic link", named, &error, remedy),
+        }
     })
 }
 
@@ -145,26 +149,23 @@ fn replaceable(file: &Path, named: &Path) -> Result<Option<Permissions>, Failure
 
 /// Why no file can be made where `named` should be.
 fn no_new_file(named: &Path, error: &io::Error) -> Failure {
-    let folder = named.parent().filter(|folder| !folder.as_os_str().is_empty());
-    match folder {
-        Some(folder) if error.kind() == io::ErrorKind::NotFound => Failure::new(
-            format!(
-                "cannot write {}: there is no folder {}",
-                named.display(),
-                folder.display()
-            ),
-            format!(
-                "make it with `mkdir -p {}`, or choose another one with -o",
-                folder.display()
-            ),
-        ),
-        _ => Failure::io(
-            "write",
-            named,
-            error,
-            "choose another name, in a folder where you may write, with -o",
-        ),
+    let folder = named
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty())
+        .unwrap_or(Path::new("."));
+    let (file, folder_name) = (named.display(), folder.display());
+    if !folder.exists() && error.kind() == io::ErrorKind::NotFound {
+        return Failure::new(
+            format!("cannot write {file}: there is no folder {folder_name}"),
+            format!("make it with `mkdir -p {folder_name}`, or choose another one with -o"),
+        );
     }
+    Failure::io(
+        "write",
+        named,
+        error,
+        "choose another name, in a folder where you may write, with -o",
+    )
 }
 
 /// What helps when the bytes do not get onto the disk.

@@ -1,6 +1,7 @@
 //! How far is it? A bar on a terminal, for work that takes long.
 
-use std::sync::OnceLock;
+use std::sync::mpsc::{self, RecvTimeoutError, Sender};
+use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -8,54 +9,63 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 /// Work shorter than this shows no bar: it would only flicker.
 const PATIENCE: Duration = Duration::from_millis(300);
 
+/// Time between two looks at the clock, once the bar is there.
+const TICK: Duration = Duration::from_millis(100);
+
 /// The bar counts in thousandths of the work.
 const WHOLE: u64 = 1000;
 
 /// The progress of one piece of work, drawn on standard error if that is a terminal; in a pipe or a file nothing appears.
 pub(crate) struct Progress {
-    what: String,
     start: Instant,
-    bar: OnceLock<ProgressBar>,
+    bar: ProgressBar,
+    /// The thread that loses patience, and the line that ends it.
+    patience: Option<(Sender<()>, JoinHandle<()>)>,
 }
 
 impl Progress {
     /// The work called `what` begins now.
-    pub(crate) fn start(what: impl Into<String>) -> Self {
+    pub(crate) fn start(what: &'static str) -> Self {
+        let style = ProgressStyle::with_template("{prefix:10}[{bar:40}] {percent:>3} %  {elapsed}")
+            .expect("the template is well-formed");
+        let bar = ProgressBar::with_draw_target(Some(WHOLE), ProgressDrawTarget::hidden())
+            .with_style(style.progress_chars("=> "))
+            .with_prefix(what);
+        let shown_later = bar.clone();
+        let (done, wait) = mpsc::channel();
+        let waiting = thread::Builder::new().spawn(move || {
+            if wait.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
+                shown_later.set_draw_target(ProgressDrawTarget::stderr());
+                shown_later.enable_steady_tick(TICK);
+            }
+        });
         Self {
-            what: what.into(),
             start: Instant::now(),
-            bar: OnceLock::new(),
+            bar,
+            // A system that has no thread left draws no bar; the work is what counts.
+            patience: waiting.ok().map(|waiting| (done, waiting)),
         }
     }
 
     /// A share of the work is done, 0 to 1. May be called from any thread.
     pub(crate) fn reached(&self, share: f32) {
-        if self.start.elapsed() < PATIENCE {
-            return;
-        }
-        let bar = self.bar.get_or_init(|| self.draw());
         // Threads may report out of order; a bar does not run backwards.
-        let position = (share * WHOLE as f32) as u64;
-        if position > bar.position() {
-            bar.set_position(position.min(WHOLE));
+        let position = ((share * WHOLE as f32) as u64).min(WHOLE);
+        if position > self.bar.position() {
+            self.bar.set_position(position);
         }
     }
 
-    /// The work is done: the bar goes. Gives the time that it took.
+    /// The work is done: the bar goes. Gives the time that the work took.
     pub(crate) fn finish(self) -> Duration {
-        if let Some(bar) = self.bar.get() {
-            bar.finish_and_clear();
+        let time = self.start.elapsed();
+        if let Some((done, waiting)) = self.patience {
+            drop(done);
+            // A panic there would cost a bar, no more.
+            let _ = waiting.join();
         }
-        self.start.elapsed()
-    }
-
-    fn draw(&self) -> ProgressBar {
-        let style = ProgressStyle::with_template("{prefix:10} {bar:40} {percent:>3} %, {eta} left")
-            .expect("the template is well-formed");
-        let bar = ProgressBar::with_draw_target(Some(WHOLE), ProgressDrawTarget::stderr());
-        bar.set_style(style.progress_chars("=> "));
-        bar.set_prefix(self.what.clone());
-        bar
+        self.bar.finish_and_clear();
+        time
     }
 }
 
@@ -64,21 +74,24 @@ mod tests {
     use super::*;
 
     #[test]
-    fn short_work_shows_no_bar() {
-        let progress = Progress::start("short");
-        progress.reached(0.3);
-        assert!(progress.bar.get().is_none());
-    }
-
-    #[test]
     fn a_bar_does_not_run_backwards() {
-        let mut progress = Progress::start("long");
-        progress.start -= PATIENCE;
+        let progress = Progress::start("work");
         for share in [0.2, 0.7, 0.4, 0.6] {
             progress.reached(share);
         }
-        assert_eq!(progress.bar.get().unwrap().position(), 700);
+        assert_eq!(progress.bar.position(), 700);
         progress.reached(7.0);
-        assert_eq!(progress.bar.get().unwrap().position(), WHOLE);
+        assert_eq!(progress.bar.position(), WHOLE);
+    }
+
+    #[test]
+    fn short_work_is_not_held_up() {
+        let begin = Instant::now();
+        let time = Progress::start("work").finish();
+        assert!(time <= begin.elapsed());
+        assert!(
+            begin.elapsed() < PATIENCE,
+            "the end of the work wakes the waiting thread"
+        );
     }
 }

@@ -1,6 +1,8 @@
 //! `cargo lab render`: how does this scene look?
 
+use std::ffi::OsString;
 use std::fmt::Write;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -36,7 +38,7 @@ pub(crate) fn run(asked: &RenderArgs) -> Result<Outcome, Failure> {
 
     let settings = settings(asked, loaded.scene.settings);
     let renderers = asked.renderer.map_or(ALL_RENDERERS.to_vec(), |one| vec![one]);
-    check_size(settings.size, renderers.len())?;
+    check_row(settings.size, renderers.len())?;
     let pictures = with_threads(asked.threads, || draw_all(&loaded, &settings, &renderers))??;
 
     let pictures: Vec<&Image> = pictures.iter().collect();
@@ -74,19 +76,26 @@ impl Source {
     }
 
     fn load(&self) -> Result<Loaded, Failure> {
-        Ok(match self {
+        let loaded = match self {
             Self::Builtin(builtin) => builtin.load(),
-            Self::File(path) => scene::load(path),
-        }?)
+            Self::File(path) => {
+                let there = fs::metadata(path);
+                let remedy = "give a .toml or .obj file, or a name that `cargo lab scenes` lists";
+                there.map_err(|error| Failure::io("read", path, &error, remedy))?;
+                scene::load(path)
+            }
+        };
+        Ok(loaded?)
     }
 
     /// The picture's file unless one is named: in the current folder, called as the scene.
     fn picture(&self) -> PathBuf {
-        match self {
-            Self::Builtin(builtin) => PathBuf::from(builtin.name),
-            Self::File(path) => PathBuf::from(path.file_stem().unwrap_or_default()),
-        }
-        .with_added_extension("png")
+        let mut name = match self {
+            Self::Builtin(builtin) => OsString::from(builtin.name),
+            Self::File(path) => path.file_stem().unwrap_or_default().to_owned(),
+        };
+        name.push(".png");
+        name.into()
     }
 }
 
@@ -103,16 +112,15 @@ fn settings(asked: &RenderArgs, scene: Settings) -> Settings {
     }
 }
 
-/// Refuses a picture that `cargo lab compare` could not read again, before it takes any memory.
-fn check_size(size: (u32, u32), pictures: usize) -> Result<(), Failure> {
-    let pixels = u128::from(size.0) * u128::from(size.1) * pictures as u128;
-    if pixels <= u128::from(codec::MOST_PIXELS) {
+/// Refuses pictures that side by side have more pixels than `cargo lab compare` reads back, before they take any memory.
+fn check_row((width, height): (u32, u32), pictures: usize) -> Result<(), Failure> {
+    let pixels = pictures as u64 * u64::from(width) * u64::from(height);
+    if pixels <= codec::MOST_PIXELS {
         return Ok(());
     }
-    let (width, height) = size;
     Err(Failure::new(
         format!(
-            "{pictures} × {width} × {height} pixels are too many: at most {} can be drawn",
+            "{pictures} pictures of {width} × {height} pixels are too large: side by side they may have {} pixels",
             codec::MOST_PIXELS
         ),
         "choose a smaller --size, or one --renderer",
@@ -120,10 +128,10 @@ fn check_size(size: (u32, u32), pictures: usize) -> Result<(), Failure> {
 }
 
 /// Does the work with so many threads; without a number, with one for each processor.
-fn with_threads<T: Send>(threads: Option<u16>, work: impl FnOnce() -> T + Send) -> Result<T, Failure> {
+fn with_threads<T: Send>(threads: Option<u32>, work: impl FnOnce() -> T + Send) -> Result<T, Failure> {
     let mut pool = rayon::ThreadPoolBuilder::new();
     if let Some(threads) = threads {
-        pool = pool.num_threads(threads.into());
+        pool = pool.num_threads(threads as usize);
     }
     let pool = pool.build().map_err(|error| {
         Failure::new(
@@ -152,6 +160,8 @@ fn draw_all(loaded: &Loaded, settings: &Settings, renderers: &[Renderer]) -> Res
             readable(time)
         ))?;
         for note in &rendered.notes {
+            // The line above says whose note it is.
+            let note = note.strip_prefix(&format!("{renderer}: ")).unwrap_or(note);
             say(&format!("{:10}{note}", ""))?;
         }
         pictures.push(rendered.image);
@@ -196,9 +206,9 @@ mod tests {
 
     #[test]
     fn what_is_too_large_is_refused_before_it_takes_memory() {
-        assert!(check_size((8192, 8192), 1).is_ok());
-        assert!(check_size((8192, 8192), 3).is_err());
-        assert!(check_size((u32::MAX, u32::MAX), 3).is_err());
+        assert!(check_row((8192, 8192), 1).is_ok());
+        assert!(check_row((4096, 4096), 3).is_ok());
+        assert!(check_row((8192, 8192), 3).is_err());
     }
 
     #[test]

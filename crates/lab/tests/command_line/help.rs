@@ -1,0 +1,80 @@
+//! The help text: its examples run as they stand.
+
+use crate::desk::{Desk, MESH};
+
+#[test]
+fn without_a_command_there_is_help() {
+    let desk = Desk::new();
+    let said = desk.lab("").done();
+    assert_eq!(said.out, desk.lab("--help").done().out);
+    for words in ["render", "compare", "scenes", "Exit codes", "130"] {
+        assert!(said.out.contains(words), "no {words:?} in {}", said.out);
+    }
+}
+
+#[test]
+fn no_line_of_help_is_wider_than_a_page() {
+    let desk = Desk::new();
+    for command in ["", "render", "compare", "scenes"] {
+        for line in desk.lab(&format!("{command} --help")).done().out.lines() {
+            assert!(line.chars().count() <= 100, "{line}");
+        }
+    }
+}
+
+/// A desk with what the examples speak of: a mesh, and two pictures that are the same.
+fn desk() -> Desk {
+    let desk = Desk::new();
+    desk.put("spot.obj", MESH);
+    desk.put("mesh.obj", MESH);
+    desk.lab("render --renderer zbuffer --size 40x30 -o before.png")
+        .done();
+    desk.lab("render --renderer zbuffer --size 40x30 -o after.png")
+        .done();
+    desk
+}
+
+/// Runs every line of `text` that is a command, as it stands but for a small size, and gives their number.
+fn run_examples(desk: &Desk, text: &str) -> usize {
+    let lines: Vec<&str> = text
+        .lines()
+        .filter(|line| line.starts_with("    cargo lab "))
+        .collect();
+    for line in &lines {
+        let (typed, _remark) = line.split_once('#').unwrap_or((line, ""));
+        let typed = typed.trim().replacen("cargo lab", "$LAB", 1);
+        // The last size counts: a small picture shows as well that the example runs.
+        let small = if typed.starts_with("$LAB render") {
+            " --size 40x30"
+        } else {
+            ""
+        };
+        desk.shell(&format!("{typed}{small}")).done();
+    }
+    lines.len()
+}
+
+#[test]
+fn every_example_of_the_help_text_runs() {
+    let desk = desk();
+    for (command, examples) in [("render", 6), ("compare", 3), ("scenes", 3)] {
+        let help = desk.lab(&format!("{command} --help")).done().out;
+        assert_eq!(run_examples(&desk, &help), examples, "{help}");
+    }
+    let pictures = [
+        "teapot.png",
+        "glass.png",
+        "spot.png",
+        "two-spheres.png",
+        "mine.png",
+        "difference.png",
+    ];
+    for picture in pictures {
+        assert_eq!(desk.picture(picture).height(), 30, "{picture}");
+    }
+}
+
+#[test]
+fn every_example_of_the_readme_runs() {
+    assert_eq!(run_examples(&desk(), include_str!("../../README.md")), 9);
+}

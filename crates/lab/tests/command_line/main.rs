@@ -1,0 +1,11 @@
+//! Does `cargo lab` do what its help text says? The program is run here as a user runs it.
+
+mod compare;
+mod desk;
+mod flags;
+mod help;
+mod interruption;
+mod render;
+mod scenes;
+mod terminal;
+mod writing;
