@@ -9,7 +9,8 @@ use crate::optics::{fresnel, mirrored, refracted};
 use crate::picture::Settings;
 use crate::query::{Hit, Search, nearest, nearest_brute};
 use crate::shadow::{is_lit, light_share};
-use crate::world::{Interpolation, Optics, World};
+use crate::surface::Optics;
+use crate::world::{Interpolation, World};
 
 /// The slide's `raycolor`: ambient light, and from each light that no object hides, diffuse light and highlight; the
 /// background where nothing is hit with t0 < t < t1 (L55, L57).

@@ -4,7 +4,8 @@
 //! - [`triangle`]: the 3×3 system in (β, γ, t), three ways to solve it, the slide's `raytri`, and a test without leaks
 //!   (L48–L54, E10, E11).
 //! - [`sphere`] and [`plane`]: the exact surfaces.
-//! - [`world`]: objects, surfaces and lights; a [`TracedMesh`] is shared by its instances.
+//! - [`world`]: all there is to see. An [`object`] is a shape somewhere, with a [`surface`]; a [`TracedMesh`] is shared by
+//!   its instances.
 //! - [`query`]: the nearest hit and any hit, by the slide's loop over everything and through a [`hierarchy`] of boxes.
 //! - [`shadow`]: does the light reach the point? (L56, E12)
 //! - [`optics`]: Snell's law and Fresnel's equations.
@@ -19,6 +20,7 @@
 pub mod color;
 pub mod hierarchy;
 pub mod mesh;
+pub mod object;
 pub mod optics;
 pub mod picture;
 pub mod plane;
@@ -26,6 +28,7 @@ pub mod query;
 pub mod shadow;
 mod space;
 pub mod sphere;
+pub mod surface;
 pub mod triangle;
 pub mod viewing;
 pub mod world;
@@ -33,10 +36,12 @@ pub mod world;
 pub use color::{local_color, ray_color};
 pub use geometry::Ray;
 pub use mesh::TracedMesh;
+pub use object::{Object, ObjectError, Shape};
 pub use picture::{Settings, pick, render, visible};
 pub use query::{Hit, Search, any_hit, any_hit_brute, nearest, nearest_brute};
+pub use surface::{Optics, Surface};
 pub use viewing::{viewing_ray, visible_interval};
-pub use world::{Interpolation, Object, ObjectError, Optics, Shape, Surface, World};
+pub use world::{Interpolation, World};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -7,9 +7,10 @@ use geometry::{Barycentric, Ray};
 use glam::Vec3;
 
 use crate::hierarchy::BoxRay;
+use crate::object::{Object, Shape};
 use crate::space::SpaceRay;
 use crate::triangle::TriangleHit;
-use crate::world::{Object, Shape, World};
+use crate::world::World;
 use crate::{plane, sphere};
 
 /// How to search.

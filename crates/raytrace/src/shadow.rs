@@ -14,7 +14,8 @@ use glam::Vec3;
 use lighting::Illumination;
 
 use crate::query::{Hit, Search, any_hit, any_hit_brute, nearest, nearest_brute};
-use crate::world::{Interpolation, Optics, World};
+use crate::surface::Optics;
+use crate::world::{Interpolation, World};
 
 /// The shadow ray p + t·l from what `ray` hit to a light (L56): from a start off the surface, with t from 0 to the
 /// light's distance, which is infinite for a directional light.
