@@ -16,10 +16,7 @@ const HEIGHT: u32 = 241;
 const STEP: u32 = 40;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let path: PathBuf = std::env::args_os()
-        .nth(1)
-        .ok_or("usage: gradient PICTURE.png|.16.png|.exr")?
-        .into();
+    let path: PathBuf = std::env::args_os().nth(1).ok_or("usage: gradient PICTURE.png|.16.png|.exr")?.into();
     let picture = Image::from_fn(WIDTH, HEIGHT, color);
     std::fs::write(&path, codec::encode(&picture, Format::from_path(&path)?)?)?;
     Ok(())
@@ -33,10 +30,6 @@ fn color(i: u32, j: u32) -> Rgb {
     }
     let smooth = i as f32 / (WIDTH - 1) as f32;
     let stepped = (i / STEP) as f32 / (WIDTH / STEP - 1) as f32;
-    let along = if j.abs_diff(middle) > HEIGHT / 4 {
-        smooth
-    } else {
-        stepped
-    };
+    let along = if j.abs_diff(middle) > HEIGHT / 4 { smooth } else { stepped };
     Rgb::splat(if j > middle { along } else { srgb::decode(along) })
 }

@@ -37,7 +37,7 @@ use crate::exr_header::{self, Claims};
 use crate::{Image, Rgb, srgb};
 
 /// The most pixels that [`decode`] accepts, 8192 × 8192: about 800 MB as an [`Image`]. A file of a few bytes can claim any
-/// size, so there has to be an end.
+/// size, so there has to be an end; [`encode`] has none.
 pub const MOST_PIXELS: u64 = 8192 * 8192;
 
 /// What the decoder may allocate for itself: [`MOST_PIXELS`] in the widest kind of pixel, RGBA in `f32`.
@@ -70,10 +70,7 @@ impl Format {
         match extension.as_deref() {
             Some("exr") => Ok(Self::Exr),
             Some("png")
-                if path
-                    .file_stem()
-                    .and_then(|stem| lower_case_extension(stem.as_ref()))
-                    .as_deref()
+                if path.file_stem().and_then(|stem| lower_case_extension(stem.as_ref())).as_deref()
                     == Some("16") =>
             {
                 Ok(Self::Png16)
@@ -139,14 +136,13 @@ pub fn encode(image: &Image, format: Format) -> Result<Vec<u8>, CodecError> {
     let mut file = Cursor::new(Vec::new());
     match format {
         Format::Png8 => {
-            let steps: Vec<u8> = channels.map(|light| srgb::to_u8(*light)).collect();
+            let curve = srgb::EightBitSteps::new();
+            let steps: Vec<u8> = channels.map(|light| curve.nearest(*light)).collect();
             png_encoder(&mut file).write_image(&steps, width, height, ExtendedColorType::Rgb8)
         }
         Format::Png16 => {
             // The encoder takes the computer's own byte order and writes PNG's.
-            let steps: Vec<u8> = channels
-                .flat_map(|light| srgb::to_u16(*light).to_ne_bytes())
-                .collect();
+            let steps: Vec<u8> = channels.flat_map(|light| srgb::to_u16(*light).to_ne_bytes()).collect();
             png_encoder(&mut file).write_image(&steps, width, height, ExtendedColorType::Rgb16)
         }
         Format::Exr => {
@@ -154,9 +150,7 @@ pub fn encode(image: &Image, format: Format) -> Result<Vec<u8>, CodecError> {
             OpenExrEncoder::new(&mut file).write_image(&light, width, height, ExtendedColorType::Rgb32F)
         }
     }
-    .map_err(|error| CodecError::Unwritable {
-        reason: error.to_string(),
-    })?;
+    .map_err(|error| CodecError::Unwritable { reason: error.to_string() })?;
     Ok(file.into_inner())
 }
 
@@ -180,9 +174,7 @@ pub fn decode(bytes: &[u8]) -> Result<Image, CodecError> {
     // It works on nothing of ours but the bytes, so no state is left half changed. The program's panic hook still hears
     // of it, which by default means a message on standard error.
     catch_unwind(AssertUnwindSafe(|| read(bytes, format))).unwrap_or_else(|_| {
-        Err(CodecError::Unreadable {
-            reason: "the reader of the format failed".to_owned(),
-        })
+        Err(CodecError::Unreadable { reason: "the reader of the format failed".to_owned() })
     })
 }
 
@@ -199,9 +191,7 @@ fn check_claims(exr: &[u8]) -> Result<(), CodecError> {
 }
 
 fn read(bytes: &[u8], format: ImageFormat) -> Result<Image, CodecError> {
-    let unreadable = |error: ::image::ImageError| CodecError::Unreadable {
-        reason: error.to_string(),
-    };
+    let unreadable = |error: ::image::ImageError| CodecError::Unreadable { reason: error.to_string() };
     let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
     let mut limits = Limits::no_limits();
     limits.max_alloc = Some(MOST_DECODER_BYTES);
@@ -218,45 +208,37 @@ fn read(bytes: &[u8], format: ImageFormat) -> Result<Image, CodecError> {
 /// The light of each pixel, rows from the top down.
 fn light_of(file: DynamicImage) -> Vec<Rgb> {
     match file {
-        DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => file
-            .into_rgb32f()
-            .pixels()
-            .map(|pixel| Rgb::from(pixel.0))
-            .collect(),
+        DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => {
+            file.into_rgb32f().pixels().map(|pixel| Rgb::from(pixel.0)).collect()
+        }
         DynamicImage::ImageLuma16(_)
         | DynamicImage::ImageLumaA16(_)
         | DynamicImage::ImageRgb16(_)
         | DynamicImage::ImageRgba16(_) => {
-            let over_black = |[r, g, b, alpha]: [u16; 4]| {
-                Rgb::from([r, g, b].map(srgb::from_u16)) * (f32::from(alpha) / f32::from(u16::MAX))
-            };
-            file.into_rgba16()
-                .pixels()
-                .map(|pixel| over_black(pixel.0))
-                .collect()
+            let light: Vec<f32> = (0..=u16::MAX).map(srgb::from_u16).collect();
+            file.into_rgba16().pixels().map(|pixel| over_black(pixel.0, &light)).collect()
         }
         _ => {
-            let light: [f32; 256] = std::array::from_fn(|step| srgb::from_u8(step as u8));
-            let over_black = |[r, g, b, alpha]: [u8; 4]| {
-                Rgb::from([r, g, b].map(|step| light[usize::from(step)]))
-                    * (f32::from(alpha) / f32::from(u8::MAX))
-            };
-            file.into_rgba8()
-                .pixels()
-                .map(|pixel| over_black(pixel.0))
-                .collect()
+            let light: Vec<f32> = (0..=u8::MAX).map(srgb::from_u8).collect();
+            file.into_rgba8().pixels().map(|pixel| over_black(pixel.0, &light)).collect()
         }
     }
 }
 
-/// Fast compression and one fixed filter: rendered pictures shrink well enough, and saving does not outlast rendering.
+/// The light of a pixel (red, green, blue, alpha) with black behind it; `light` is that of each step.
+fn over_black<Step: Into<usize>>([r, g, b, alpha]: [Step; 4], light: &[f32]) -> Rgb {
+    let last_step = (light.len() - 1) as f32;
+    let alpha: usize = alpha.into();
+    Rgb::from([r, g, b].map(|step| light[step.into()])) * (alpha as f32 / last_step)
+}
+
+/// Fast compression: rendered pictures shrink well enough, and saving does not outlast rendering.
 fn png_encoder<W: std::io::Write>(file: W) -> PngEncoder<W> {
     PngEncoder::new_with_quality(file, CompressionType::Fast, FilterType::Adaptive)
 }
 
 fn lower_case_extension(path: &Path) -> Option<String> {
-    path.extension()
-        .map(|extension| extension.to_string_lossy().to_lowercase())
+    path.extension().map(|extension| extension.to_string_lossy().to_lowercase())
 }
 
 fn name_of_extension(found: Option<&str>) -> String {

@@ -18,11 +18,7 @@ impl DepthImage {
     /// A depth image that shows nothing.
     #[must_use]
     pub fn new(width: u32, height: u32) -> Self {
-        Self {
-            width,
-            height,
-            depths: vec![Self::NOTHING; width as usize * height as usize],
-        }
+        Self { width, height, depths: vec![Self::NOTHING; width as usize * height as usize] }
     }
 
     /// The number of pixels in a row.
@@ -64,26 +60,14 @@ impl DepthImage {
         // A flat scene has one depth only: all of it is nearest.
         let span = (nearest - farthest).max(f32::MIN_POSITIVE);
         let grey = |z: f32| {
-            if z.is_finite() {
-                Rgb::splat(1.0 - 0.95 * (nearest - z) / span)
-            } else {
-                Rgb::ZERO
-            }
+            if z.is_finite() { Rgb::splat(1.0 - 0.95 * (nearest - z) / span) } else { Rgb::ZERO }
         };
-        Image::from_rows(
-            self.width,
-            self.height,
-            self.depths.iter().map(|z| grey(*z)).collect(),
-        )
-        .expect("one pixel for each depth")
+        Image::from_rows(self.width, self.height, self.depths.iter().map(|z| grey(*z)).collect())
+            .expect("one pixel for each depth")
     }
 
     fn index(&self, i: u32, j: u32) -> usize {
-        assert!(
-            i < self.width,
-            "pixel column i = {i} outside an image of width {}",
-            self.width
-        );
+        assert!(i < self.width, "pixel column i = {i} outside an image of width {}", self.width);
         row_from_j(j, self.height) as usize * self.width as usize + i as usize
     }
 }

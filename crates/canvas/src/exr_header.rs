@@ -36,10 +36,7 @@ pub(crate) fn claims(file: &[u8]) -> Option<Claims> {
     let mut worst = Claims::default();
     loop {
         let part = part_claims(&mut rest)?;
-        worst = Claims {
-            bytes: worst.bytes.max(part.bytes),
-            dwa: worst.dwa || part.dwa,
-        };
+        worst = Claims { bytes: worst.bytes.max(part.bytes), dwa: worst.dwa || part.dwa };
         if version & SEVERAL_PARTS == 0 || *rest.first()? == 0 {
             return Some(worst);
         }
@@ -107,13 +104,7 @@ mod tests {
 
     #[test]
     fn three_channels_of_five_by_three_pixels_claim_180_bytes() {
-        assert_eq!(
-            claims(&file_and_window().0),
-            Some(Claims {
-                bytes: 4 * 3 * 5 * 3,
-                dwa: false
-            })
-        );
+        assert_eq!(claims(&file_and_window().0), Some(Claims { bytes: 4 * 3 * 5 * 3, dwa: false }));
     }
 
     /// What the file claims with another data window: x and y of its first and of its last pixel.
@@ -125,18 +116,12 @@ mod tests {
 
     #[test]
     fn the_largest_window_there_is_saturates() {
-        assert_eq!(
-            claimed_with_window([i32::MIN, i32::MIN, i32::MAX, i32::MAX]),
-            Some(u64::MAX)
-        );
+        assert_eq!(claimed_with_window([i32::MIN, i32::MIN, i32::MAX, i32::MAX]), Some(u64::MAX));
     }
 
     #[test]
     fn a_window_with_its_corners_swapped_is_as_large() {
-        assert_eq!(
-            claimed_with_window([0, 0, -1_000_000_000, 20]),
-            Some(4 * 3 * 1_000_000_001 * 21)
-        );
+        assert_eq!(claimed_with_window([0, 0, -1_000_000_000, 20]), Some(4 * 3 * 1_000_000_001 * 21));
     }
 
     #[test]
@@ -159,11 +144,7 @@ mod tests {
         let number = file.windows(name.len()).position(|bytes| bytes == name).unwrap() + name.len() + 4;
         for compression in 0..=9 {
             file[number] = compression;
-            assert_eq!(
-                claims(&file).unwrap().dwa,
-                compression >= 8,
-                "compression {compression}"
-            );
+            assert_eq!(claims(&file).unwrap().dwa, compression >= 8, "compression {compression}");
         }
     }
 

@@ -38,11 +38,7 @@ mod tests {
         // CIE L* of each eighth is 12.5 more than that of the one below; a rounded 8-bit step is up to 0.2 of L*.
         let lightness = |color: Rgb| {
             let y = color.dot(Rgb::new(0.2126, 0.7152, 0.0722));
-            if y > 0.008_856 {
-                116.0 * y.cbrt() - 16.0
-            } else {
-                903.3 * y
-            }
+            if y > 0.008_856 { 116.0 * y.cbrt() - 16.0 } else { 903.3 * y }
         };
         for eighth in 0..=8 {
             assert!(

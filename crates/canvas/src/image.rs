@@ -16,10 +16,7 @@ pub type Rgb = Vec3;
 /// If `j` is not less than `height`.
 #[must_use]
 pub fn row_from_j(j: u32, height: u32) -> u32 {
-    assert!(
-        j < height,
-        "pixel row j = {j} outside an image of height {height}"
-    );
+    assert!(j < height, "pixel row j = {j} outside an image of height {height}");
     height - 1 - j
 }
 
@@ -35,11 +32,7 @@ impl Image {
     /// An image of `width` × `height` pixels, all of them `background`.
     #[must_use]
     pub fn new(width: u32, height: u32, background: Rgb) -> Self {
-        Self {
-            width,
-            height,
-            pixels: vec![background; width as usize * height as usize],
-        }
+        Self { width, height, pixels: vec![background; width as usize * height as usize] }
     }
 
     /// The image whose pixel (i, j) is `color(i, j)`, j upwards.
@@ -57,11 +50,7 @@ impl Image {
     /// The image of these pixels, rows from the top down as in a file; `None` if their number is not `width` × `height`.
     #[must_use]
     pub fn from_rows(width: u32, height: u32, pixels: Vec<Rgb>) -> Option<Self> {
-        (pixels.len() == width as usize * height as usize).then_some(Self {
-            width,
-            height,
-            pixels,
-        })
+        (pixels.len() == width as usize * height as usize).then_some(Self { width, height, pixels })
     }
 
     /// n_x, the number of pixels in a row.
@@ -127,11 +116,7 @@ impl Image {
     }
 
     fn index(&self, i: u32, j: u32) -> usize {
-        assert!(
-            i < self.width,
-            "pixel column i = {i} outside an image of width {}",
-            self.width
-        );
+        assert!(i < self.width, "pixel column i = {i} outside an image of width {}", self.width);
         row_from_j(j, self.height) as usize * self.width as usize + i as usize
     }
 }

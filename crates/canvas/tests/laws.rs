@@ -38,11 +38,7 @@ fn images_of_one_size(channel: impl Strategy<Value = f32> + Clone) -> impl Strat
 }
 
 fn bits(image: &Image) -> Vec<[u32; 3]> {
-    image
-        .pixels()
-        .iter()
-        .map(|pixel| pixel.to_array().map(f32::to_bits))
-        .collect()
+    image.pixels().iter().map(|pixel| pixel.to_array().map(f32::to_bits)).collect()
 }
 
 fn same_bits(a: &Image, b: &Image) -> bool {
@@ -66,12 +62,7 @@ fn decoding_undoes_encoding_up_to_clamping() {
             seen.class("straight piece", (0.0..0.003).contains(&x));
             seen.class("power piece", (0.004..1.0).contains(&x));
             seen.class("clamped", !(0.0..=1.0).contains(&x));
-            ensure_close(
-                "light",
-                srgb::decode(srgb::encode(x)),
-                clamped(x),
-                2.0 * f32::EPSILON,
-            )
+            ensure_close("light", srgb::decode(srgb::encode(x)), clamped(x), 2.0 * f32::EPSILON)
         });
 }
 
@@ -87,12 +78,8 @@ fn more_light_is_never_encoded_lower() {
             let (low, high) = (x.min(y), x.max(y));
             seen.class("neighbours", next);
             seen.class("within the file", 0.0 < low && high < 1.0);
-            ensure(srgb::encode(low) <= srgb::encode(high), || {
-                "encode falls".to_owned()
-            })?;
-            ensure(srgb::decode(low) <= srgb::decode(high), || {
-                "decode falls".to_owned()
-            })
+            ensure(srgb::encode(low) <= srgb::encode(high), || "encode falls".to_owned())?;
+            ensure(srgb::decode(low) <= srgb::decode(high), || "decode falls".to_owned())
         });
 }
 
@@ -106,35 +93,42 @@ fn every_number_is_encoded_within_the_file() {
             seen.class("NaN", x.is_nan());
             seen.class("infinite", x.is_infinite());
             let inside = |y: f32| (0.0..=1.0).contains(&y);
-            ensure(inside(srgb::encode(x)) && inside(srgb::decode(x)), || {
-                format!("{x} leaves [0, 1]")
+            ensure(inside(srgb::encode(x)) && inside(srgb::decode(x)), || format!("{x} leaves [0, 1]"))
+        });
+}
+
+#[test]
+fn looking_up_a_step_gives_what_computing_it_gives() {
+    let steps = srgb::EightBitSteps::new();
+    Law::new("EightBitSteps is to_u8")
+        .cases(4000)
+        .demand("between the steps", 0.3)
+        .demand("NaN", 0.05)
+        .holds_for(any_number(), |x, seen| {
+            seen.class("between the steps", 0.001 < x && x < 1.0);
+            seen.class("NaN", x.is_nan());
+            ensure(steps.nearest(x) == srgb::to_u8(x), || {
+                format!("{x}: {} and {}", steps.nearest(x), srgb::to_u8(x))
             })
         });
 }
 
 #[test]
 fn openexr_gives_every_bit_back() {
-    Law::new("OpenEXR is lossless")
-        .demand("NaN", 0.5)
-        .holds_for(image_of(any_number()), |image, seen| {
-            seen.class("NaN", image.pixels().iter().any(|pixel| pixel.is_nan()));
-            let file = codec::encode(&image, Format::Exr)?;
-            ensure(same_bits(&codec::decode(&file)?, &image), || {
-                "bits differ".to_owned()
-            })
-        });
+    Law::new("OpenEXR is lossless").demand("NaN", 0.5).holds_for(image_of(any_number()), |image, seen| {
+        seen.class("NaN", image.pixels().iter().any(|pixel| pixel.is_nan()));
+        let file = codec::encode(&image, Format::Exr)?;
+        ensure(same_bits(&codec::decode(&file)?, &image), || "bits differ".to_owned())
+    });
 }
 
 #[test]
 fn png_gives_the_nearest_step_back() {
     // Half a step of the file; the curve and its inverse add a rounding each.
-    Law::new("PNG is right to half a step")
-        .demand("beyond white", 0.5)
-        .holds_for(image_of(light()), |image, seen| {
-            seen.class(
-                "beyond white",
-                image.pixels().iter().any(|pixel| pixel.max_element() > 1.0),
-            );
+    Law::new("PNG is right to half a step").demand("beyond white", 0.5).holds_for(
+        image_of(light()),
+        |image, seen| {
+            seen.class("beyond white", image.pixels().iter().any(|pixel| pixel.max_element() > 1.0));
             for (format, last_step) in [(Format::Png8, 255.0), (Format::Png16, 65535.0)] {
                 let read = codec::decode(&codec::encode(&image, format)?)?;
                 let greatest = difference(&image, &read, 0.0)?.greatest;
@@ -143,7 +137,8 @@ fn png_gives_the_nearest_step_back() {
                 })?;
             }
             Ok(())
-        });
+        },
+    );
 }
 
 #[test]
@@ -165,61 +160,44 @@ fn a_png_that_was_read_is_written_with_the_same_bytes() {
 fn difference_is_a_distance() {
     // Both sums are of three values in [0, 1], each from one subtraction of rounded values.
     let rounding = 4.0 * f32::EPSILON;
-    Law::new("symmetric, zero against itself, and no detour is shorter")
-        .demand("visible", 0.5)
-        .holds_for(images_of_one_size(light()), |[a, b, c], seen| {
+    Law::new("symmetric, zero against itself, and no detour is shorter").demand("visible", 0.5).holds_for(
+        images_of_one_size(light()),
+        |[a, b, c], seen| {
             let (ab, ba) = (difference(&a, &b, 0.1)?, difference(&b, &a, 0.1)?);
             seen.class("visible", ab.over_threshold > 0);
             ensure(ab == ba, || "not symmetric".to_owned())?;
-            ensure(difference(&a, &a, 0.0)?.greatest_at.is_none(), || {
-                "differs from itself".to_owned()
-            })?;
+            ensure(difference(&a, &a, 0.0)?.greatest_at.is_none(), || "differs from itself".to_owned())?;
             let detour = difference(&a, &c, 0.0)?.greatest + difference(&c, &b, 0.0)?.greatest;
-            ensure(ab.greatest <= detour + rounding, || {
-                format!("{} > {detour}", ab.greatest)
-            })
-        });
+            ensure(ab.greatest <= detour + rounding, || format!("{} > {detour}", ab.greatest))
+        },
+    );
 }
 
 #[test]
 fn difference_tells_where_and_how_many() {
     Law::new("greatest, its place, mean and count belong together")
         .demand("some over, some not", 0.3)
-        .holds_for(
-            (images_of_one_size(light()), 0.0..1.0_f32),
-            |([a, b, _], threshold), seen| {
-                let found = difference(&a, &b, threshold)?;
-                let pixels = a.pixels().len();
-                seen.class(
-                    "some over, some not",
-                    0 < found.over_threshold && found.over_threshold < pixels,
-                );
-                ensure(found.mean <= found.greatest, || "mean above greatest".to_owned())?;
-                ensure((found.over_threshold > 0) == (found.greatest > threshold), || {
-                    "count".to_owned()
-                })?;
-                let Some((i, j)) = found.greatest_at else {
-                    return ensure(found.greatest == 0.0, || "place".to_owned());
-                };
-                let there = difference(
-                    &Image::new(1, 1, a.get(i, j)),
-                    &Image::new(1, 1, b.get(i, j)),
-                    0.0,
-                )?;
-                ensure(there.greatest == found.greatest, || {
-                    format!("({i}, {j}) differs by {}", there.greatest)
-                })
-            },
-        );
+        .holds_for((images_of_one_size(light()), 0.0..1.0_f32), |([a, b, _], threshold), seen| {
+            let found = difference(&a, &b, threshold)?;
+            let pixels = a.pixels().len();
+            seen.class("some over, some not", 0 < found.over_threshold && found.over_threshold < pixels);
+            ensure(found.mean <= found.greatest, || "mean above greatest".to_owned())?;
+            ensure((found.over_threshold > 0) == (found.greatest > threshold), || "count".to_owned())?;
+            let Some((i, j)) = found.greatest_at else {
+                return ensure(found.greatest == 0.0, || "place".to_owned());
+            };
+            let there = difference(&Image::new(1, 1, a.get(i, j)), &Image::new(1, 1, b.get(i, j)), 0.0)?;
+            ensure(there.greatest == found.greatest, || format!("({i}, {j}) differs by {}", there.greatest))
+        });
 }
 
 #[test]
 fn each_picture_is_found_again_in_the_row() {
     let gap_color = Rgb::new(-1.0, -2.0, -3.0);
     let inputs = (image_of(light()), image_of(light()), image_of(light()), 0..5_u32);
-    Law::new("side by side keeps every pixel")
-        .demand("different heights", 0.5)
-        .holds_for(inputs, |(a, b, c, gap), seen| {
+    Law::new("side by side keeps every pixel").demand("different heights", 0.5).holds_for(
+        inputs,
+        |(a, b, c, gap), seen| {
             seen.class("different heights", a.height() != b.height());
             let row = side_by_side(&[&a, &b, &c], gap, gap_color);
             let lefts = [0, a.width() + gap, a.width() + gap + b.width() + gap];
@@ -230,8 +208,7 @@ fn each_picture_is_found_again_in_the_row() {
                 rest -= image.pixels().len();
             }
             let gaps = row.pixels().iter().filter(|pixel| **pixel == gap_color).count();
-            ensure(gaps == rest, || {
-                format!("{gaps} pixels of the gap's colour, {rest} expected")
-            })
-        });
+            ensure(gaps == rest, || format!("{gaps} pixels of the gap's colour, {rest} expected"))
+        },
+    );
 }
