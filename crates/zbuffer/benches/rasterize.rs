@@ -119,7 +119,7 @@ fn clip(c: &mut Criterion) {
     );
     for (name, triangle) in [("inside", inside), ("cut at near and far", through_the_eye)] {
         group.bench_function(name, |b| {
-            b.iter(|| project(&clip_from_world, SIDE, SIDE, black_box(&triangle)))
+            b.iter(|| project(&clip_from_world, SIDE, SIDE, black_box(&triangle)));
         });
     }
     group.finish();
@@ -127,7 +127,7 @@ fn clip(c: &mut Criterion) {
 
 fn z_buffer(c: &mut Criterion) {
     let (_, front) = shapes()[2];
-    // The same a little nearer each time would be slow to set up; back to front and front to back are the two extremes.
+    // Front to back colours each pixel once, back to front eight times: the two extremes.
     let layers: Vec<_> = (0..8)
         .map(|k| ScreenTriangle {
             vertices: front.vertices.map(|v| moved_away(v, k)),

@@ -34,7 +34,7 @@ pub struct Work {
 /// ```
 ///
 /// # Panics
-/// If the image and the depth buffer are not of one size, and as [`rasterize`].
+/// If the image and the depth buffer are not of one size, and as [`rasterize()`].
 pub fn z_buffer(
     background: Rgb,
     polygons: &[(ScreenTriangle, Rgb)],
@@ -55,7 +55,7 @@ pub fn z_buffer(
 /// - `color`: the colour of a fragment; asked only where the fragment is the nearest so far.
 ///
 /// # Panics
-/// If the image and the depth buffer are not of one size, and as [`rasterize`].
+/// If the image and the depth buffer are not of one size, and as [`rasterize()`].
 pub fn draw(
     triangle: &ScreenTriangle,
     mut color: impl FnMut(&Fragment) -> Rgb,
@@ -77,7 +77,7 @@ pub fn draw(
 /// The same as [`draw`], through [`rasterize_rows`].
 ///
 /// # Panics
-/// If the image and the depth buffer are not of one size, and as [`rasterize`].
+/// If the image and the depth buffer are not of one size, and as [`rasterize()`].
 pub fn draw_fast(
     triangle: &ScreenTriangle,
     mut color: impl FnMut(&Fragment) -> Rgb,

@@ -71,8 +71,8 @@ fn area(a: I64Vec2, b: I64Vec2, c: I64Vec2) -> i64 {
     (b - a).perp_dot(c - a)
 }
 
-/// The square ±`half` about the screen's middle cut into anticlockwise triangles that meet at whole edges, with a vertex
-/// at each of `points`.
+/// The rectangle from `lowest` to `highest` cut into anticlockwise triangles that meet at whole edges, with a vertex at
+/// each of `points`, which lie in it.
 fn triangulation(lowest: I64Vec2, highest: I64Vec2, points: &[I64Vec2]) -> Vec<[I64Vec2; 3]> {
     let (a, c) = (lowest, highest);
     let (b, d) = (I64Vec2::new(c.x, a.y), I64Vec2::new(a.x, c.y));
