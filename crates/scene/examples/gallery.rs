@@ -15,14 +15,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         let mut pictures = Vec::new();
         for (name, renderer) in Renderer::ALL {
             let start = Instant::now();
-            let rendered = render(
-                &prepared,
-                &Settings {
-                    renderer: *renderer,
-                    ..loaded.scene.settings
-                },
-                &|_| (),
-            )?;
+            let rendered =
+                render(&prepared, &Settings { renderer: *renderer, ..loaded.scene.settings }, &|_| ())?;
             println!(
                 "{:16} {name:9} {:6.0} ms  {}",
                 built_in.name,
@@ -32,10 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             pictures.push(rendered.image);
         }
         let strip = side_by_side(&pictures.iter().collect::<Vec<_>>(), 8, Rgb::ONE);
-        std::fs::write(
-            folder.join(format!("{}.png", built_in.name)),
-            codec::encode(&strip, Format::Png8)?,
-        )?;
+        std::fs::write(folder.join(format!("{}.png", built_in.name)), codec::encode(&strip, Format::Png8)?)?;
     }
     Ok(())
 }

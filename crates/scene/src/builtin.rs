@@ -28,40 +28,21 @@ impl Builtin {
 /// A built-in scene whose text is the file of its name.
 macro_rules! builtin {
     ($name:literal, $summary:literal) => {
-        Builtin {
-            name: $name,
-            summary: $summary,
-            text: include_str!(concat!("../scenes/", $name, ".toml")),
-        }
+        Builtin { name: $name, summary: $summary, text: include_str!(concat!("../scenes/", $name, ".toml")) }
     };
 }
 
 const ALL: [Builtin; 7] = [
     builtin!("teapot", "the Utah teapot on a plate, with three lights"),
-    builtin!(
-        "cornell-box",
-        "the Cornell box as it was measured, by local lighting (L23)"
-    ),
+    builtin!("cornell-box", "the Cornell box as it was measured, by local lighting (L23)"),
     builtin!(
         "two-spheres",
         "two balls, the nearer one first in the file: without depth the farther one wins (L15)"
     ),
-    builtin!(
-        "exponent-strip",
-        "six balls with exponents from 1 to 1000: the highlight shrinks (L31)"
-    ),
-    builtin!(
-        "cycle",
-        "three triangles, each partly before the next: no drawing order is right (L14)"
-    ),
-    builtin!(
-        "floating-bin",
-        "two bins that look alike: only the shadows tell which one floats (L45)"
-    ),
-    builtin!(
-        "glass-and-mirror",
-        "a ball of glass and one of silver on a chequered floor (L58)"
-    ),
+    builtin!("exponent-strip", "six balls with exponents from 1 to 1000: the highlight shrinks (L31)"),
+    builtin!("cycle", "three triangles, each partly before the next: no drawing order is right (L14)"),
+    builtin!("floating-bin", "two bins that look alike: only the shadows tell which one floats (L45)"),
+    builtin!("glass-and-mirror", "a ball of glass and one of silver on a chequered floor (L58)"),
 ];
 
 /// All of them; the first is the default.

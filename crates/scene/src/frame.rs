@@ -8,7 +8,7 @@ use glam::{Vec3, vec3};
 use lighting::{Light, Rgb};
 use transforms::Basis;
 
-use crate::parse_object::CREASE_DEGREES;
+use crate::parse::CREASE_DEGREES;
 use crate::prepare::fitted;
 use crate::scene::{Lens, Object, Scene, Settings, Shape, View};
 
@@ -19,12 +19,8 @@ const FOV_DEGREES: f32 = 30.0;
 const FILLED: f32 = 0.86;
 
 /// Directions from the mesh to the eye, best first: three-quarter views with the front along +z and along −z.
-const TO_EYE: [Vec3; 4] = [
-    vec3(0.55, 0.4, 1.0),
-    vec3(-1.0, 0.5, 0.6),
-    vec3(0.3, 1.0, 0.5),
-    vec3(-0.6, 0.3, -1.0),
-];
+const TO_EYE: [Vec3; 4] =
+    [vec3(0.55, 0.4, 1.0), vec3(-1.0, 0.5, 0.6), vec3(0.3, 1.0, 0.5), vec3(-0.6, 0.3, -1.0)];
 
 /// A flat mesh is seen well enough if its normals are this cosine away from a right angle with the gaze, on average.
 const LEAST_COSINE: f32 = 0.2;
@@ -45,10 +41,7 @@ pub(crate) fn framed(mesh: &Mesh, name: &str) -> Result<Scene, String> {
         lights: lights(&basis),
         materials: BTreeMap::new(),
         objects: vec![Object {
-            shape: Shape::Obj {
-                path: name.to_owned(),
-                fit: true,
-            },
+            shape: Shape::Obj { path: name.to_owned(), fit: true },
             material: None,
             transforms: Vec::new(),
             instances: Vec::new(),
@@ -63,17 +56,12 @@ fn to_eye(mesh: &Mesh) -> Vec3 {
     let seen = |direction: Vec3| {
         let crosses = (0..mesh.len()).map(|k| mesh.triangle(k).cross());
         let (facing, area) = crosses.fold((0.0, 0.0), |(facing, area), cross| {
-            (
-                facing + cross.dot(direction.normalize()).abs(),
-                area + cross.length(),
-            )
+            (facing + cross.dot(direction.normalize()).abs(), area + cross.length())
         });
         // A mesh without area shows nothing from anywhere.
         if area > 0.0 { facing / area } else { 0.0 }
     };
-    let well_seen = TO_EYE
-        .into_iter()
-        .find(|direction| seen(*direction) >= LEAST_COSINE);
+    let well_seen = TO_EYE.into_iter().find(|direction| seen(*direction) >= LEAST_COSINE);
     let best = || TO_EYE.into_iter().max_by(|a, b| seen(*a).total_cmp(&seen(*b)));
     well_seen.or_else(best).unwrap_or(TO_EYE[0])
 }
@@ -100,14 +88,8 @@ fn view(mesh: &Mesh, basis: &Basis, aspect: f32) -> View {
                 .iter()
                 .filter(|p| p.z < distance)
                 .map(|p| at(p) / (distance - p.z))
-                .fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), x| {
-                    (low.min(x), high.max(x))
-                });
-            if low <= high {
-                0.5 * (low + high) * distance
-            } else {
-                0.0
-            }
+                .fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+            if low <= high { 0.5 * (low + high) * distance } else { 0.0 }
         };
         let (dx, dy) = (middle(&|p| p.x - x0), middle(&|p| p.y - y0));
         (x0, y0) = (x0 + dx, y0 + dy);
@@ -117,11 +99,7 @@ fn view(mesh: &Mesh, basis: &Basis, aspect: f32) -> View {
         eye: target + distance * basis.w,
         target,
         up: Vec3::Y,
-        lens: Lens::FieldOfView {
-            degrees: FOV_DEGREES,
-            near: None,
-            far: None,
-        },
+        lens: Lens::FieldOfView { degrees: FOV_DEGREES, near: None, far: None },
     }
 }
 
@@ -129,16 +107,8 @@ fn view(mesh: &Mesh, basis: &Basis, aspect: f32) -> View {
 fn lights(basis: &Basis) -> Vec<Light> {
     let from = |x: f32, y: f32, z: f32| (x * basis.u + y * basis.v + z * basis.w).normalize();
     vec![
-        Light::Ambient {
-            color: Rgb::splat(0.12),
-        },
-        Light::Directional {
-            to_light: from(-0.6, 0.8, 0.8),
-            color: vec3(0.95, 0.92, 0.86),
-        },
-        Light::Directional {
-            to_light: from(0.9, 0.1, 0.5),
-            color: vec3(0.16, 0.19, 0.24),
-        },
+        Light::Ambient { color: Rgb::splat(0.12) },
+        Light::Directional { to_light: from(-0.6, 0.8, 0.8), color: vec3(0.95, 0.92, 0.86) },
+        Light::Directional { to_light: from(0.9, 0.1, 0.5), color: vec3(0.16, 0.19, 0.24) },
     ]
 }

@@ -10,9 +10,8 @@ use geometry::obj::{self, Import, ObjError};
 use crate::SceneError;
 use crate::frame::framed;
 use crate::limits::{MOST_MESH_BYTES, MOST_SCENE_BYTES};
-use crate::parse::parse;
+use crate::parse::{Source, parse};
 use crate::scene::Scene;
-use crate::value::Source;
 
 /// OBJ files that were read, by their paths as the scene writes them.
 pub(crate) type Imports = BTreeMap<String, Arc<Import>>;
@@ -36,9 +35,7 @@ pub struct Loaded {
 /// [`SceneError`] with file, line and column, and what would be right.
 pub fn load(path: &Path) -> Result<Loaded, SceneError> {
     let file = path.display().to_string();
-    let extension = path
-        .extension()
-        .map(|extension| extension.to_string_lossy().to_lowercase());
+    let extension = path.extension().map(|extension| extension.to_string_lossy().to_lowercase());
     match extension.as_deref() {
         Some("toml") => load_scene(path, &file),
         Some("obj") => load_mesh(path, &file),
@@ -61,11 +58,7 @@ impl Loaded {
     pub fn from_toml(text: &str, file: &str, folder: &Path) -> Result<Self, SceneError> {
         let parsed = parse(text, file)?;
         let source = Source { file, text };
-        let mut loaded = Self {
-            scene: parsed.scene,
-            warnings: Vec::new(),
-            imports: Imports::new(),
-        };
+        let mut loaded = Self { scene: parsed.scene, warnings: Vec::new(), imports: Imports::new() };
         for (name, span) in &parsed.obj_paths {
             if !loaded.imports.contains_key(name) {
                 let path = folder.join(name);
@@ -105,11 +98,7 @@ fn load_scene(path: &Path, file: &str) -> Result<Loaded, SceneError> {
         let valid = error.utf8_error().valid_up_to();
         let text = String::from_utf8_lossy(error.as_bytes());
         let source = Source { file, text: &text };
-        source.fault(
-            &(valid..valid),
-            "the text is not UTF-8 from here on",
-            "save it as UTF-8",
-        )
+        source.fault(&(valid..valid), "the text is not UTF-8 from here on", "save it as UTF-8")
     })?;
     Loaded::from_toml(&text, file, path.parent().unwrap_or(Path::new("")))
 }
@@ -118,18 +107,12 @@ fn load_mesh(path: &Path, file: &str) -> Result<Loaded, SceneError> {
     let bytes = read(path, MOST_MESH_BYTES)
         .map_err(|reason| whole_file(file, &reason, "name a mesh file that can be read"))?;
     // The scene names the mesh as its neighbour, so that it can be written beside it.
-    let name = path
-        .file_name()
-        .map_or_else(|| file.to_owned(), |name| name.to_string_lossy().into_owned());
+    let name = path.file_name().map_or_else(|| file.to_owned(), |name| name.to_string_lossy().into_owned());
     let mut warnings = Vec::new();
     let import = import(path, &bytes, &mut warnings)?;
     let scene = framed(&import.mesh, &name)
         .map_err(|problem| whole_file(file, &problem, "a mesh needs corners that lie apart"))?;
-    Ok(Loaded {
-        scene,
-        warnings,
-        imports: Imports::from([(name, import)]),
-    })
+    Ok(Loaded { scene, warnings, imports: Imports::from([(name, import)]) })
 }
 
 /// The contents of a regular file of at most `most` bytes. Devices and pipes, which may never end, are refused.
@@ -140,10 +123,7 @@ fn read(path: &Path, most: u64) -> Result<Vec<u8>, String> {
         return Err(format!("cannot read {shown}: it is not a file"));
     }
     if about.len() > most {
-        return Err(format!(
-            "{shown} has {} bytes; at most {most} are read",
-            about.len()
-        ));
+        return Err(format!("{shown} has {} bytes; at most {most} are read", about.len()));
     }
     fs::read(path).map_err(|error| format!("cannot read {shown}: {error}"))
 }

@@ -19,31 +19,19 @@ use crate::limits::{GREATEST_EXPONENT, GREATEST_REFRACTIVE_INDEX};
 pub(crate) fn surface_of(mtl: &ObjMaterial) -> Surface {
     let default = Material::default();
     let has_highlight = !matches!(mtl.illumination_model, Some(0 | 1));
-    let specular = if has_highlight {
-        mtl.specular.unwrap_or(default.specular)
-    } else {
-        Rgb::ZERO
-    };
+    let specular = if has_highlight { mtl.specular.unwrap_or(default.specular) } else { Rgb::ZERO };
     let material = Material {
         diffuse: share(mtl.diffuse.unwrap_or(default.diffuse)),
         specular: share(specular),
-        exponent: mtl
-            .exponent
-            .unwrap_or(default.exponent)
-            .clamp(0.0, GREATEST_EXPONENT),
+        exponent: mtl.exponent.unwrap_or(default.exponent).clamp(0.0, GREATEST_EXPONENT),
     };
-    Surface {
-        material,
-        optics: optics_of(mtl),
-    }
+    Surface { material, optics: optics_of(mtl) }
 }
 
 fn optics_of(mtl: &ObjMaterial) -> Optics {
     let dissolve = mtl.dissolve.unwrap_or(1.0);
     match mtl.illumination_model {
-        Some(3 | 5 | 8) => Optics::Mirror {
-            reflectance: share(mtl.specular.unwrap_or(Rgb::ONE)),
-        },
+        Some(3 | 5 | 8) => Optics::Mirror { reflectance: share(mtl.specular.unwrap_or(Rgb::ONE)) },
         Some(4 | 6 | 7 | 9) => glass(mtl, if dissolve < 1.0 { 1.0 - dissolve } else { 1.0 }),
         _ if dissolve < 1.0 => glass(mtl, 1.0 - dissolve),
         _ => Optics::Opaque,
@@ -52,10 +40,7 @@ fn optics_of(mtl: &ObjMaterial) -> Optics {
 
 fn glass(mtl: &ObjMaterial, through: f32) -> Optics {
     Optics::Glass {
-        refractive_index: mtl
-            .refractive_index
-            .unwrap_or(1.0)
-            .clamp(1.0, GREATEST_REFRACTIVE_INDEX),
+        refractive_index: mtl.refractive_index.unwrap_or(1.0).clamp(1.0, GREATEST_REFRACTIVE_INDEX),
         transmittance: Rgb::splat(through.clamp(0.0, 1.0)),
     }
 }
@@ -81,35 +66,14 @@ mod tests {
         let surface = surface_of(&red);
         assert_eq!(surface.material.diffuse, vec3(0.7, 0.1, 0.05));
         assert_eq!(surface.material.specular, vec3(0.2, 0.3, 1.0));
-        assert_eq!(
-            (surface.material.exponent, surface.optics),
-            (25.0, Optics::Opaque)
-        );
+        assert_eq!((surface.material.exponent, surface.optics), (25.0, Optics::Opaque));
 
-        let matt = ObjMaterial {
-            illumination_model: Some(1),
-            ..red.clone()
-        };
+        let matt = ObjMaterial { illumination_model: Some(1), ..red.clone() };
         assert_eq!(surface_of(&matt).material.specular, Rgb::ZERO);
-        let mirror = ObjMaterial {
-            illumination_model: Some(3),
-            ..red.clone()
-        };
-        assert_eq!(
-            surface_of(&mirror).optics,
-            Optics::Mirror {
-                reflectance: vec3(0.2, 0.3, 1.0)
-            }
-        );
-        let pane = ObjMaterial {
-            dissolve: Some(0.25),
-            refractive_index: Some(1.33),
-            ..red
-        };
-        let through = Optics::Glass {
-            refractive_index: 1.33,
-            transmittance: Rgb::splat(0.75),
-        };
+        let mirror = ObjMaterial { illumination_model: Some(3), ..red.clone() };
+        assert_eq!(surface_of(&mirror).optics, Optics::Mirror { reflectance: vec3(0.2, 0.3, 1.0) });
+        let pane = ObjMaterial { dissolve: Some(0.25), refractive_index: Some(1.33), ..red };
+        let through = Optics::Glass { refractive_index: 1.33, transmittance: Rgb::splat(0.75) };
         assert_eq!(surface_of(&pane).optics, through);
     }
 

@@ -17,10 +17,7 @@ pub trait Named: Copy + PartialEq + 'static {
     /// The name of this choice.
     #[must_use]
     fn name(self) -> &'static str {
-        Self::ALL
-            .iter()
-            .find(|(_, choice)| *choice == self)
-            .map_or("?", |(name, _)| *name)
+        Self::ALL.iter().find(|(_, choice)| *choice == self).map_or("?", |(name, _)| *name)
     }
 }
 
@@ -97,11 +94,8 @@ pub enum Show {
 
 impl Named for Renderer {
     const WHAT: &'static str = "renderer";
-    const ALL: &'static [(&'static str, Self)] = &[
-        ("zbuffer", Self::ZBuffer),
-        ("painter", Self::Painter),
-        ("raytrace", Self::Raytrace),
-    ];
+    const ALL: &'static [(&'static str, Self)] =
+        &[("zbuffer", Self::ZBuffer), ("painter", Self::Painter), ("raytrace", Self::Raytrace)];
 }
 
 impl Named for Show {
@@ -128,11 +122,8 @@ impl Named for DepthFormat {
 
 impl Named for Shading {
     const WHAT: &'static str = "shading";
-    const ALL: &'static [(&'static str, Self)] = &[
-        ("flat", Self::Flat),
-        ("gouraud", Self::Gouraud),
-        ("phong", Self::Phong),
-    ];
+    const ALL: &'static [(&'static str, Self)] =
+        &[("flat", Self::Flat), ("gouraud", Self::Gouraud), ("phong", Self::Phong)];
 }
 
 impl fmt::Display for Renderer {

@@ -6,12 +6,11 @@ use shading::{Frame, Shading, Visibility};
 use transforms::Pipeline;
 use zbuffer::clip::GREATEST_SIDE as GREATEST_SCREEN;
 
-use crate::error::SceneError;
 use crate::limits::{
     GREATEST_DEPTH, GREATEST_SAMPLES, GREATEST_SIDE, MOST_PAINTED, MOST_PIXELS, MOST_SAMPLES,
 };
 use crate::show::{self, Seen};
-use crate::{Prepared, Renderer, Settings, Show};
+use crate::{Prepared, RenderError, Renderer, Settings, Show};
 
 /// A picture and what is to be said about it.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,91 +19,6 @@ pub struct Rendered {
     pub image: Image,
     /// What the renderer met: "painter: 1 occlusion cycle, 2 cuts", say. One sentence each.
     pub notes: Vec<String>,
-}
-
-/// Why there is no picture.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum RenderError {
-    /// The scene was changed in memory to something that its reader refuses.
-    #[error(transparent)]
-    Scene(#[from] SceneError),
-    /// An OBJ file was named after the scene was loaded.
-    #[error("{path} was not loaded with the scene")]
-    NotLoaded {
-        /// The path as the scene has it.
-        path: String,
-    },
-    /// An object's transforms carry it out of the range in which areas can be computed.
-    #[error(
-        "object {object} (counted from 0) reaches beyond {:e}: scale it down, or give its OBJ file `fit = true`",
-        crate::limits::GREATEST_COORDINATE
-    )]
-    FarAway {
-        /// Its place in the scene.
-        object: usize,
-    },
-    /// More than [`MOST_TRIANGLES`](crate::limits::MOST_TRIANGLES).
-    #[error(
-        "with object {object} (counted from 0) there are more than {} triangles",
-        crate::limits::MOST_TRIANGLES
-    )]
-    TooManyTriangles {
-        /// The object that is too much.
-        object: usize,
-    },
-    /// More than [`MOST_PAINTED`] triangles for the painter's algorithm.
-    #[error(
-        "the painter's algorithm compares triangles in pairs and takes at most {MOST_PAINTED}; the scene has {triangles}: use zbuffer or raytrace"
-    )]
-    TooManyToPaint {
-        /// How many there are.
-        triangles: usize,
-    },
-    /// A setting out of range.
-    #[error("{name} is {value}; it must be from {least} to {greatest}")]
-    Setting {
-        /// Which one.
-        name: &'static str,
-        /// Its value.
-        value: u32,
-        /// The least that is allowed.
-        least: u32,
-        /// The most that is allowed.
-        greatest: u32,
-    },
-    /// The picture, or its samples, would not fit in memory.
-    #[error(
-        "{width} × {height} pixels with {samples} × {samples} samples each are too many at once; at most {most}"
-    )]
-    TooManyPixels {
-        /// Width in pixels.
-        width: u32,
-        /// Height in pixels.
-        height: u32,
-        /// Samples along each side of a pixel.
-        samples: u32,
-        /// The most pixels, or samples for a rasterizer, there may be.
-        most: u64,
-    },
-    /// Eye, target and up make no camera.
-    #[error(transparent)]
-    Camera(#[from] transforms::DegenerateCamera),
-    /// Angle and planes make no viewing volume.
-    #[error(transparent)]
-    Volume(#[from] transforms::DegenerateVolume),
-    /// Volume and size make no pipeline.
-    #[error(transparent)]
-    Pipeline(#[from] transforms::DegeneratePipeline),
-    /// A shape's sizes make no surface.
-    #[error(transparent)]
-    Shape(#[from] geometry::shapes::ShapeError),
-    /// Corners make no mesh.
-    #[error(transparent)]
-    Mesh(#[from] geometry::MeshError),
-    /// A transform that the ray tracer cannot undo.
-    #[error(transparent)]
-    Object(#[from] raytrace::ObjectError),
 }
 
 /// Renders with `settings`, which need not be those of the scene.
@@ -144,20 +58,14 @@ pub fn render(
             let pipeline = prepared.pipeline(width, height)?;
             let world = traced_world(prepared, settings)?;
             let hits = raytrace::visible(&world, &pipeline);
-            let seen = hits
-                .iter()
-                .map(|hit| hit.as_ref().map(|hit| Seen::hit(&world, &pipeline, hit)))
-                .collect();
+            let seen =
+                hits.iter().map(|hit| hit.as_ref().map(|hit| Seen::hit(&world, &pipeline, hit))).collect();
             show::picture(settings.show, (width, height), seen, &mut notes)
         }
         (_, Show::Color) => {
             let n = settings.samples;
-            let frame = rasterized(
-                prepared,
-                settings,
-                &prepared.pipeline(width * n, height * n)?,
-                &mut notes,
-            )?;
+            let frame =
+                rasterized(prepared, settings, &prepared.pipeline(width * n, height * n)?, &mut notes)?;
             frame.image.box_downsampled(n)
         }
         (_, _) => {
@@ -180,12 +88,7 @@ impl Settings {
             ("the depth of recursion", self.max_depth, 0, GREATEST_DEPTH),
         ] {
             if !(least..=greatest).contains(&value) {
-                return Err(RenderError::Setting {
-                    name,
-                    value,
-                    least,
-                    greatest,
-                });
+                return Err(RenderError::Setting { name, value, least, greatest });
             }
         }
         // The ray tracer adds a pixel's samples up one by one; a rasterizer keeps them all.
@@ -193,12 +96,7 @@ impl Settings {
         let kept = if keeps_samples { self.samples } else { 1 };
         let pixels = u64::from(width) * u64::from(height);
         let samples = pixels * u64::from(kept) * u64::from(kept);
-        let too_many = |most| RenderError::TooManyPixels {
-            width,
-            height,
-            samples: kept,
-            most,
-        };
+        let too_many = |most| RenderError::TooManyPixels { width, height, samples: kept, most };
         if pixels > MOST_PIXELS {
             return Err(too_many(MOST_PIXELS));
         }
@@ -227,9 +125,7 @@ fn trace(
         ..raytrace::Settings::default()
     };
     let rows = pipeline.height() as f32;
-    Ok(raytrace::render(&world, pipeline, &rays, &|done| {
-        progress(done as f32 / rows)
-    }))
+    Ok(raytrace::render(&world, pipeline, &rays, &|done| progress(done as f32 / rows)))
 }
 
 fn traced_world(prepared: &Prepared, settings: &Settings) -> Result<raytrace::World, RenderError> {
@@ -270,15 +166,11 @@ fn rasterized(
     };
     let mut objects = Vec::new();
     for part in &prepared.parts {
-        objects.extend(
-            part.world_from_object
-                .iter()
-                .map(|world_from_object| shading::Object {
-                    mesh: &part.mesh,
-                    world_from_object: *world_from_object,
-                    materials: &part.materials,
-                }),
-        );
+        objects.extend(part.world_from_object.iter().map(|world_from_object| shading::Object {
+            mesh: &part.mesh,
+            world_from_object: *world_from_object,
+            materials: &part.materials,
+        }));
     }
     let world = shading::World {
         objects: &objects,

@@ -80,9 +80,7 @@ pub(crate) fn picture(
 
 /// Numbers of the visible surface; black where there is none.
 fn pixels(seen: &[Option<Seen>], number: impl Fn(&Seen) -> Vec3) -> Vec<Rgb> {
-    seen.iter()
-        .map(|seen| seen.as_ref().map_or(Rgb::ZERO, &number))
-        .collect()
+    seen.iter().map(|seen| seen.as_ref().map_or(Rgb::ZERO, &number)).collect()
 }
 
 /// Nearest white, farthest dark grey, nothing black.
@@ -137,12 +135,7 @@ mod tests {
     use super::*;
 
     fn seen(n_world: Vec3, shaded: u32) -> Option<Seen> {
-        Some(Seen {
-            z: 0.5,
-            n_world,
-            weights: None,
-            shaded,
-        })
+        Some(Seen { z: 0.5, n_world, weights: None, shaded })
     }
 
     #[test]
@@ -161,27 +154,13 @@ mod tests {
         let pixels = vec![seen(Vec3::Z, 1), seen(Vec3::Z, 4), None, seen(Vec3::Z, 1)];
         let mut notes = Vec::new();
         picture(Show::Overdraw, (4, 1), pixels, &mut notes);
-        assert!(
-            notes[0].contains("2.00 colours") && notes[0].contains("4 at most"),
-            "{}",
-            notes[0]
-        );
+        assert!(notes[0].contains("2.00 colours") && notes[0].contains("4 at most"), "{}", notes[0]);
     }
 
     #[test]
     fn rows_come_out_the_right_way_up() {
-        let near = Some(Seen {
-            z: 0.9,
-            n_world: Vec3::Z,
-            weights: None,
-            shaded: 1,
-        });
-        let far = Some(Seen {
-            z: -0.9,
-            n_world: Vec3::Z,
-            weights: None,
-            shaded: 1,
-        });
+        let near = Some(Seen { z: 0.9, n_world: Vec3::Z, weights: None, shaded: 1 });
+        let far = Some(Seen { z: -0.9, n_world: Vec3::Z, weights: None, shaded: 1 });
         let image = picture(Show::Depth, (1, 2), vec![near, far], &mut Vec::new());
         assert!(image.get(0, 1).x > image.get(0, 0).x);
     }

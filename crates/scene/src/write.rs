@@ -52,17 +52,8 @@ impl Lines {
 }
 
 fn render_table(settings: &Settings) -> String {
-    let Settings {
-        renderer,
-        shading,
-        size,
-        show,
-        samples,
-        shadows,
-        max_depth,
-        highlight,
-        depth_bits,
-    } = settings;
+    let Settings { renderer, shading, size, show, samples, shadows, max_depth, highlight, depth_bits } =
+        settings;
     Lines::under("[render]")
         .line("renderer", quoted(renderer.name()))
         .line("shading", quoted(shading.name()))
@@ -87,12 +78,7 @@ fn camera_table(camera: &View) -> String {
             .line_if("near", near.map(number))
             .line_if("far", far.map(number)),
         Lens::Window(v) => {
-            let sides = [
-                ("left", v.left),
-                ("right", v.right),
-                ("bottom", v.bottom),
-                ("top", v.top),
-            ];
+            let sides = [("left", v.left), ("right", v.right), ("bottom", v.bottom), ("top", v.top)];
             let sides = sides.map(|(key, side)| format!("{key} = {}", number(side)));
             lines
                 .line("window", format!("{{ {} }}", sides.join(", ")))
@@ -111,10 +97,9 @@ fn light_table(light: &Light) -> String {
             .line("kind", "\"directional\"")
             .line("to-light", vector(to_light))
             .line("color", vector(color)),
-        Light::Point { position, color } => lines
-            .line("kind", "\"point\"")
-            .line("position", vector(position))
-            .line("color", vector(color)),
+        Light::Point { position, color } => {
+            lines.line("kind", "\"point\"").line("position", vector(position)).line("color", vector(color))
+        }
     }
     .0
 }
@@ -127,16 +112,9 @@ fn material_table(name: &str, surface: &Surface) -> String {
     match surface.optics {
         Optics::Opaque => lines,
         Optics::Mirror { reflectance } => lines.line("mirror", vector(reflectance)),
-        Optics::Glass {
-            refractive_index,
-            transmittance,
-        } => lines.line(
+        Optics::Glass { refractive_index, transmittance } => lines.line(
             "glass",
-            format!(
-                "{{ index = {}, tint = {} }}",
-                number(refractive_index),
-                vector(transmittance)
-            ),
+            format!("{{ index = {}, tint = {} }}", number(refractive_index), vector(transmittance)),
         ),
     }
     .0
@@ -150,30 +128,23 @@ fn object_table(object: &Object) -> String {
     if object.instances.is_empty() {
         return lines.0;
     }
-    let copies: Vec<String> = object
-        .instances
-        .iter()
-        .map(|copy| format!("    {},\n", transforms(copy)))
-        .collect();
+    let copies: Vec<String> =
+        object.instances.iter().map(|copy| format!("    {},\n", transforms(copy))).collect();
     lines.line("instances", format!("[\n{}]", copies.concat())).0
 }
 
 fn shape_lines(lines: Lines, shape: &Shape) -> Lines {
     let ball = |lines: Lines, name: &str, radius: f32, level: u32| {
-        lines
-            .line("shape", quoted(name))
-            .line("radius", number(radius))
-            .line("level", level)
+        lines.line("shape", quoted(name)).line("radius", number(radius)).line("level", level)
     };
     match shape {
         Shape::Sphere { radius, level } => ball(lines, "sphere", *radius, *level),
         Shape::UvSphere { radius, level } => ball(lines, "uv-sphere", *radius, *level),
         Shape::Icosphere { radius, level } => ball(lines, "icosphere", *radius, *level),
         Shape::Disc { radius, level } => ball(lines, "disc", *radius, *level),
-        Shape::Cuboid { size, level } => lines
-            .line("shape", "\"box\"")
-            .line("size", vector(*size))
-            .line("level", level),
+        Shape::Cuboid { size, level } => {
+            lines.line("shape", "\"box\"").line("size", vector(*size)).line("level", level)
+        }
         Shape::Torus { major, minor, level } => lines
             .line("shape", "\"torus\"")
             .line("major", number(*major))
@@ -213,11 +184,7 @@ fn vector(v: Vec3) -> String {
 
 /// The shortest digits that read back to the same `f32`.
 fn number(x: f32) -> String {
-    if x.is_nan() {
-        "nan".to_owned()
-    } else {
-        format!("{x:?}")
-    }
+    if x.is_nan() { "nan".to_owned() } else { format!("{x:?}") }
 }
 
 /// A TOML basic string.

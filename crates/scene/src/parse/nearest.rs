@@ -1,7 +1,7 @@
 //! Which word was meant? The known one that takes the fewest strokes to mend.
 
 /// The word of `known` nearest to `word`, if it is near: at most a third of its letters wrong.
-pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
+pub(super) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     // A word far longer than all known ones is near to none; do not spend time on it.
     let longest = known.iter().map(|k| k.len()).max().unwrap_or(0);
     if word.len() > 2 * longest {
@@ -11,20 +11,23 @@ pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     (3 * near.0 <= near.1.chars().count().max(3)).then_some(near.1)
 }
 
-/// Levenshtein's distance: how many letters must be put in, left out or changed.
+/// How many letters must be put in, left out, changed or swapped with their neighbour (Damerau and Levenshtein).
 fn edits(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, letter) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for j in 0..b.len() {
-            let changed = diagonal + usize::from(letter != b[j]);
-            diagonal = row[j + 1];
-            row[j + 1] = changed.min(diagonal + 1).min(row[j] + 1);
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    // Row i has the numbers of edits from the first i letters of a to the first 0, 1, 2… of b.
+    let mut rows = vec![(0..=b.len()).collect::<Vec<usize>>()];
+    for i in 1..=a.len() {
+        let mut row = vec![i];
+        for j in 1..=b.len() {
+            let changed = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
+            let put_in_or_left_out = 1 + rows[i - 1][j].min(row[j - 1]);
+            let is_swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+            let swapped = if is_swapped { 1 + rows[i - 2][j - 2] } else { usize::MAX };
+            row.push(changed.min(put_in_or_left_out).min(swapped));
         }
+        rows.push(row);
     }
-    row[b.len()]
+    rows[a.len()][b.len()]
 }
 
 #[cfg(test)]
@@ -44,5 +47,6 @@ mod tests {
     fn edits_are_counted_as_by_hand() {
         assert_eq!(edits("kitten", "sitting"), 3);
         assert_eq!(edits("", "abc"), 3);
+        assert_eq!(edits("eey", "eye"), 1);
     }
 }

@@ -7,14 +7,15 @@ use geometry::shapes::GREATEST_LEVEL;
 use glam::Vec3;
 use raytrace::Surface;
 
+use super::nearest::nearest;
+use super::table::Table;
+use super::value::{Value, plain};
 use crate::SceneError;
 use crate::limits::{LEAST_LENGTH, MOST_COPIES, MOST_TRIANGLES};
-use crate::nearest::nearest;
 use crate::scene::{Object, Shape, Transform};
-use crate::value::{Table, Value, plain};
 
 /// The subdivision level of a shape that says none: fine enough to look round in a small picture.
-pub(crate) const LEVEL: u32 = 3;
+const LEVEL: u32 = 3;
 
 /// Edges sharper than this stay hard where nothing else is said: `shading::CREASE_ANGLE` in degrees.
 pub(crate) const CREASE_DEGREES: f32 = 60.0;
@@ -35,13 +36,13 @@ const COMMON: [&str; 4] = ["material", "transforms", "instances", "crease"];
 
 /// The copies and triangles of the objects so far.
 #[derive(Default)]
-pub(crate) struct Budget {
+pub(super) struct Budget {
     copies: u64,
     triangles: u64,
 }
 
 /// The object of one `[[object]]` table.
-pub(crate) fn object(
+pub(super) fn object(
     value: &Value<'_>,
     materials: &BTreeMap<String, Surface>,
     budget: &mut Budget,
@@ -51,16 +52,9 @@ pub(crate) fn object(
     let shape = shape(&table, obj_paths)?;
     let object = Object {
         shape,
-        material: table
-            .get("material")
-            .map(|name| material_name(&name, materials))
-            .transpose()?,
-        transforms: table
-            .get("transforms")
-            .map_or(Ok(Vec::new()), |list| transforms(&list))?,
-        instances: table
-            .get("instances")
-            .map_or(Ok(Vec::new()), |list| instances(&list))?,
+        material: table.get("material").map(|name| material_name(&name, materials)).transpose()?,
+        transforms: table.get("transforms").map_or(Ok(Vec::new()), |list| transforms(&list))?,
+        instances: table.get("instances").map_or(Ok(Vec::new()), |list| instances(&list))?,
         crease_degrees: match table.get("crease") {
             Some(crease) => crease.number_where("from 0 to 180 degrees", |c| (0.0..=180.0).contains(&c))?,
             None => CREASE_DEGREES,
@@ -99,10 +93,7 @@ fn material_name(value: &Value<'_>, materials: &BTreeMap<String, Surface>) -> Re
     let known: Vec<&str> = materials.keys().map(String::as_str).collect();
     let remedy = match nearest(name, &known) {
         Some(near) => format!("did you mean \"{}\"?", plain(near)),
-        None => format!(
-            "define it: [material.{}], diffuse = [red, green, blue]",
-            plain(name)
-        ),
+        None => format!("define it: [material.{}], diffuse = [red, green, blue]", plain(name)),
     };
     Err(value.fault(format!("there is no material \"{}\"", plain(name)), remedy))
 }
@@ -115,9 +106,7 @@ fn shape(table: &Table<'_>, obj_paths: &mut Vec<(String, Range<usize>)>) -> Resu
         [Some(name), None, None] => built_in(table, &name),
         [None, Some(polygons), None] => {
             check_keys(table, &["polygons"])?;
-            Ok(Shape::Polygons {
-                polygons: self::polygons(&polygons)?,
-            })
+            Ok(Shape::Polygons { polygons: self::polygons(&polygons)? })
         }
         [None, None, Some(path)] => {
             check_keys(table, &["obj", "fit"])?;
@@ -143,32 +132,17 @@ fn built_in(table: &Table<'_>, name: &Value<'_>) -> Result<Shape, SceneError> {
         return Err(name.fault(format!("\"{}\" is no shape", plain(word)), remedy));
     };
     check_keys(table, &[&["shape", "level"], *sizes].concat())?;
-    let level = table
-        .get("level")
-        .map_or(Ok(LEVEL), |level| level.whole(0..=GREATEST_LEVEL))?;
+    let level = table.get("level").map_or(Ok(LEVEL), |level| level.whole(0..=GREATEST_LEVEL))?;
     let radius = || table.get("radius").map_or(Ok(1.0), |radius| length(&radius));
     Ok(match word {
-        "sphere" => Shape::Sphere {
-            radius: radius()?,
-            level,
-        },
-        "uv-sphere" => Shape::UvSphere {
-            radius: radius()?,
-            level,
-        },
-        "icosphere" => Shape::Icosphere {
-            radius: radius()?,
-            level,
-        },
-        "box" => Shape::Cuboid {
-            size: table.get("size").map_or(Ok(Vec3::ONE), |size| lengths(&size))?,
-            level,
-        },
+        "sphere" => Shape::Sphere { radius: radius()?, level },
+        "uv-sphere" => Shape::UvSphere { radius: radius()?, level },
+        "icosphere" => Shape::Icosphere { radius: radius()?, level },
+        "box" => {
+            Shape::Cuboid { size: table.get("size").map_or(Ok(Vec3::ONE), |size| lengths(&size))?, level }
+        }
         "torus" => torus(table, level)?,
-        "disc" => Shape::Disc {
-            radius: radius()?,
-            level,
-        },
+        "disc" => Shape::Disc { radius: radius()?, level },
         _ => Shape::Teapot { level },
     })
 }
@@ -178,9 +152,9 @@ fn torus(table: &Table<'_>, level: u32) -> Result<Shape, SceneError> {
     let minor_value = table.need("minor", "the radius of the tube: minor = 0.5")?;
     let minor = length(&minor_value)?;
     if minor >= major {
-        return Err(minor_value.must_be(format!(
-            "less than major, {major}: a thicker tube would pierce itself"
-        )));
+        return Err(
+            minor_value.must_be(format!("less than major, {major}: a thicker tube would pierce itself"))
+        );
     }
     Ok(Shape::Torus { major, minor, level })
 }
@@ -190,9 +164,7 @@ fn check_keys(table: &Table<'_>, own: &[&str]) -> Result<(), SceneError> {
 }
 
 fn length(value: &Value<'_>) -> Result<f32, SceneError> {
-    value.number_where(&format!("a length of at least {LEAST_LENGTH:e}"), |length| {
-        length >= LEAST_LENGTH
-    })
+    value.number_where(&format!("a length of at least {LEAST_LENGTH:e}"), |length| length >= LEAST_LENGTH)
 }
 
 fn lengths(value: &Value<'_>) -> Result<Vec3, SceneError> {
@@ -210,11 +182,7 @@ fn polygons(value: &Value<'_>) -> Result<Vec<Vec<Vec3>>, SceneError> {
         return Err(value.must_be("at least one polygon, [[x, y, z], [x, y, z], [x, y, z]]"));
     }
     let corners = |polygon: &Value<'_>| {
-        let corners: Vec<Vec3> = polygon
-            .items()?
-            .iter()
-            .map(Value::vector)
-            .collect::<Result<_, _>>()?;
+        let corners: Vec<Vec3> = polygon.items()?.iter().map(Value::vector).collect::<Result<_, _>>()?;
         if corners.len() < 3 {
             return Err(polygon.must_be("at least three corners, [[x, y, z], [x, y, z], [x, y, z]]"));
         }
@@ -226,9 +194,8 @@ fn polygons(value: &Value<'_>) -> Result<Vec<Vec<Vec3>>, SceneError> {
 /// The path of an OBJ file; anything else, the scene file itself for one, is refused by its name.
 fn obj_path(value: &Value<'_>) -> Result<String, SceneError> {
     let path = value.text()?;
-    let is_obj = std::path::Path::new(path)
-        .extension()
-        .is_some_and(|extension| extension.eq_ignore_ascii_case("obj"));
+    let is_obj =
+        std::path::Path::new(path).extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"));
     if is_obj && !path.contains('\0') {
         Ok(path.to_owned())
     } else {
@@ -255,30 +222,21 @@ fn transform(value: &Value<'_>) -> Result<Transform, SceneError> {
     if parts[2].is_none()
         && let Some(axis) = table.get("axis")
     {
-        return Err(axis.fault(
-            "an axis without an angle",
-            "write { rotate = 30, axis = [0, 1, 0] }",
-        ));
+        return Err(axis.fault("an axis without an angle", "write { rotate = 30, axis = [0, 1, 0] }"));
     }
     match parts {
         [Some(by), None, None] => Ok(Transform::Translate(by.vector()?)),
         [None, Some(by), None] => Ok(Transform::Scale(factors(&by)?)),
         [None, None, Some(angle)] => Ok(Transform::Rotate {
             degrees: angle.number()?,
-            axis: table
-                .need("axis", "say about which axis: axis = [0, 1, 0]")?
-                .direction()?,
+            axis: table.need("axis", "say about which axis: axis = [0, 1, 0]")?.direction()?,
         }),
         _ => Err(value.fault("a transform does one thing at a time", remedy)),
     }
 }
 
 fn factors(value: &Value<'_>) -> Result<Vec3, SceneError> {
-    let factors = if value.is_list() {
-        value.vector()?
-    } else {
-        Vec3::splat(value.number()?)
-    };
+    let factors = if value.is_list() { value.vector()? } else { Vec3::splat(value.number()?) };
     if factors.abs().min_element() >= LEAST_LENGTH {
         Ok(factors)
     } else {

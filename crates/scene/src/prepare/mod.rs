@@ -1,0 +1,141 @@
+//! What does a renderer need? Meshes instead of names, matrices instead of lists.
+
+mod part;
+
+use glam::Vec3;
+use lighting::{Light, Rgb};
+use raytrace::Optics;
+use transforms::{Camera, Pipeline, ViewVolume};
+
+use crate::limits::MOST_TRIANGLES;
+use crate::scene::{Lens, Scene};
+use crate::{Loaded, RenderError};
+pub(crate) use part::{Part, fitted};
+
+/// A scene made ready: meshes built and shared, normals there, lights normalized. Renders any number of times.
+#[derive(Debug)]
+pub struct Prepared {
+    pub(crate) parts: Vec<Part>,
+    pub(crate) lights: Vec<Light>,
+    pub(crate) background: Rgb,
+    camera: Camera,
+    lens: Lens,
+    /// The size for which a window on the near plane was given; another one changes its width.
+    size: (u32, u32),
+    /// The w-coordinates of nearest and farthest point of all objects, both negative and apart.
+    extent: (f32, f32),
+}
+
+/// Makes a scene ready.
+///
+/// # Errors
+/// [`RenderError`] if the scene was changed after loading to something that [`Scene::from_toml`] would refuse or that
+/// names a file that was not loaded, if there are too many triangles, or if the transforms carry an object away.
+pub fn prepare(loaded: &Loaded) -> Result<Prepared, RenderError> {
+    // The fields of a scene are public. One place knows what is allowed in it: the reader.
+    let scene = Scene::from_toml(&loaded.scene.to_toml(), "the scene in memory")?;
+    let mut budget = MOST_TRIANGLES;
+    let mut parts = Vec::new();
+    for (k, object) in scene.objects.iter().enumerate() {
+        let part = Part::new(object, &scene, &loaded.imports)?;
+        let triangles = (part.mesh.len() * part.world_from_object.len()) as u64;
+        budget = budget.checked_sub(triangles).ok_or(RenderError::TooManyTriangles { object: k })?;
+        part.check_place(k)?;
+        parts.push(part);
+    }
+    let view = scene.camera;
+    let camera = Camera::look_at(view.eye, view.target, view.up)?;
+    Ok(Prepared {
+        extent: extent(&camera, &parts),
+        parts,
+        lights: scene.lights.iter().map(normalized).collect(),
+        background: scene.background,
+        camera,
+        lens: view.lens,
+        size: scene.settings.size,
+    })
+}
+
+impl Prepared {
+    /// The camera with its viewing volume, for a picture of `width` × `height` pixels.
+    ///
+    /// A picture of another shape than the scene's sees as much from bottom to top; what it sees from left to right
+    /// follows from its width.
+    ///
+    /// # Errors
+    /// [`RenderError`] if there is no pixel, or if the planes are so far apart that the matrices overflow.
+    pub fn pipeline(&self, width: u32, height: u32) -> Result<Pipeline, RenderError> {
+        let aspect = width as f32 / height.max(1) as f32;
+        let volume = match self.lens {
+            Lens::FieldOfView { degrees, near, far } => {
+                let (near, far) = self.planes(near, far);
+                ViewVolume::from_fov_y(degrees.to_radians(), aspect, near, far)?
+            }
+            Lens::Window(window) => {
+                let widened = aspect * self.size.1 as f32 / self.size.0 as f32;
+                let middle = 0.5 * (window.left + window.right);
+                ViewVolume {
+                    left: middle + widened * (window.left - middle),
+                    right: middle + widened * (window.right - middle),
+                    ..window
+                }
+            }
+        };
+        Ok(Pipeline::new(self.camera, volume, width, height)?)
+    }
+
+    /// How many triangles a rasterizer has to draw, every copy counted.
+    #[must_use]
+    pub fn triangle_count(&self) -> usize {
+        self.parts.iter().map(|part| part.mesh.len() * part.world_from_object.len()).sum()
+    }
+
+    /// Whether there is a mirror or glass.
+    pub(crate) fn has_optics(&self) -> bool {
+        self.parts.iter().flat_map(|part| &part.surfaces).any(|surface| surface.optics != Optics::Opaque)
+    }
+
+    /// Near and far plane as given, or fitted to the objects where they are not.
+    fn planes(&self, near: Option<f32>, far: Option<f32>) -> (f32, f32) {
+        let (nearest, farthest) = self.extent;
+        let fitted_far = near.map_or(farthest, |near| farthest.min(2.0 * near));
+        let far = far.unwrap_or(fitted_far);
+        let near = near.unwrap_or_else(|| {
+            let fitted = if nearest > far { nearest } else { 0.5 * far };
+            fitted.min(far / FARTHEST_OVER_NEAREST)
+        });
+        (near, far)
+    }
+}
+
+/// How many times as far as the near plane the far plane may be fitted. Depth resolution is lost by this factor (L20): with
+/// 1000, a 16-bit buffer still tells apart 1.5 % of the depth at the far end.
+const FARTHEST_OVER_NEAREST: f32 = 1000.0;
+
+/// Room between the objects and the fitted planes, so that rounding cuts nothing off.
+const ROOM: f32 = 0.01;
+
+/// The w-coordinates between which all boxes around objects lie, as far as they lie before the eye.
+fn extent(camera: &Camera, parts: &[Part]) -> (f32, f32) {
+    let camera_from_world = camera.camera_from_world();
+    let w = |p_world: Vec3| camera_from_world.transform_point3(p_world).z;
+    let corners = parts.iter().flat_map(Part::corners_world);
+    let (farthest, nearest) =
+        corners.map(w).fold((f32::INFINITY, f32::NEG_INFINITY), |(far, near), w| (far.min(w), near.max(w)));
+    if farthest >= 0.0 || !farthest.is_finite() {
+        // Nothing to see; any volume will do.
+        return (-1.0, -10.0);
+    }
+    let far = (1.0 + ROOM) * farthest;
+    let near = (1.0 - ROOM) * nearest;
+    (near.min(far / FARTHEST_OVER_NEAREST), far)
+}
+
+fn normalized(light: &Light) -> Light {
+    match *light {
+        Light::Directional { to_light, color } => {
+            Light::Directional { to_light: to_light.normalize_or(Vec3::Y), color }
+        }
+        other => other,
+    }
+}
