@@ -1,7 +1,7 @@
 //! Which bytes make a picture file?
 //!
-//! [`encode`] gives the bytes of a PNG or OpenEXR file, [`decode`] reads them back; the caller writes and reads files. The same
-//! image gives the same bytes always.
+//! [`encode`] gives the bytes of a PNG or OpenEXR file, [`decode`] reads them back; the caller writes and reads files.
+//! The same image gives the same bytes always.
 //!
 //! | format | holds | light below 0 and above 1 | NaN |
 //! |---|---|---|---|
@@ -9,8 +9,9 @@
 //! | PNG, 16 bit | sRGB in 65,536 steps | clamped (E8) | black |
 //! | OpenEXR | linear `f32`, each bit of it | kept | kept |
 //!
-//! The PNG files carry no sRGB chunk, because the library does not write one; programs take a PNG without one for sRGB. When reading, gamma
-//! and colour profile chunks are ignored in the same spirit: PNG is sRGB, OpenEXR is linear with sRGB primaries.
+//! The PNG files carry no sRGB chunk, because the library does not write one; programs take a PNG without one for
+//! sRGB. When reading, gamma and colour profile chunks are ignored in the same spirit: PNG is sRGB, OpenEXR is linear
+//! with sRGB primaries.
 //!
 //! ```
 //! use canvas::{Format, Image, Rgb, codec};
@@ -36,8 +37,8 @@ use thiserror::Error;
 use crate::exr_header::{self, Claims};
 use crate::{Image, Rgb, srgb};
 
-/// The most pixels that [`decode`] accepts, 8192 × 8192: about 800 MB as an [`Image`]. A file of a few bytes can claim any
-/// size, so there has to be an end; [`encode`] has none.
+/// The most pixels that [`decode`] accepts, 8192 × 8192: about 800 MB as an [`Image`]. A file of a few bytes can claim
+/// any size, so there has to be an end; [`encode`] has none.
 pub const MOST_PIXELS: u64 = 8192 * 8192;
 
 /// What the decoder may allocate for itself: [`MOST_PIXELS`] in the widest kind of pixel, RGBA in `f32`.
@@ -154,14 +155,15 @@ pub fn encode(image: &Image, format: Format) -> Result<Vec<u8>, CodecError> {
     Ok(file.into_inner())
 }
 
-/// The image that a PNG (grey, RGB, palette; 1 to 16 bits; with or without alpha) or OpenEXR file (RGB or RGBA) shows. The
-/// format is known by the content, not by a name.
+/// The image that a PNG (grey, RGB, palette; 1 to 16 bits; with or without alpha) or OpenEXR file (RGB or RGBA) shows.
+/// The format is known by the content, not by a name.
 ///
-/// Transparent pixels show black behind them: PNG stores colour and alpha apart, so the light is multiplied by alpha; OpenEXR
-/// stores the product.
+/// Transparent pixels show black behind them: PNG stores colour and alpha apart, so the light is multiplied by alpha;
+/// OpenEXR stores the product.
 ///
 /// # Errors
-/// [`CodecError::UnknownContent`], [`CodecError::TooLarge`], [`CodecError::Unreadable`]; hostile bytes too end in one of them.
+/// [`CodecError::UnknownContent`], [`CodecError::TooLarge`], [`CodecError::Unreadable`]; hostile bytes too end in one
+/// of them.
 pub fn decode(bytes: &[u8]) -> Result<Image, CodecError> {
     let format = match ::image::guess_format(bytes) {
         Ok(format @ (ImageFormat::Png | ImageFormat::OpenExr)) => format,

@@ -1,12 +1,12 @@
 //! Which colour stands for more?
 //!
-//! A ramp from black through purple, red and orange to white, whose lightness rises evenly: it reads in grey too, and to
-//! those who tell few colours apart.
+//! A ramp from black through purple, red and orange to white, whose lightness rises evenly: it reads in grey too, and
+//! to those who tell few colours apart.
 
 use crate::{Rgb, srgb};
 
-/// The ramp at each eighth, as 8-bit sRGB. Computed in CIE LCh: lightness 0, 12.5, … 100; the hue turns from purple over
-/// red to yellow; as colourful as the screen can show at that lightness, less a margin.
+/// The ramp at each eighth, as 8-bit sRGB. Computed in CIE LCh: lightness 0, 12.5, … 100; the hue turns from purple
+/// over red to yellow; as colourful as the screen can show at that lightness, less a margin.
 const HEAT: [[u8; 3]; 9] = [
     [0, 0, 0],
     [57, 5, 74],
@@ -19,8 +19,8 @@ const HEAT: [[u8; 3]; 9] = [
     [255, 255, 255],
 ];
 
-/// The colour at a place in [0, 1] of the ramp. Between the eighths the encoded values are interpolated: they are nearly
-/// proportional to lightness, light is not.
+/// The colour at a place in [0, 1] of the ramp. Between the eighths the encoded values are interpolated: they are
+/// nearly proportional to lightness, light is not.
 pub(crate) fn heat(place: f32) -> Rgb {
     let eighths = place * (HEAT.len() - 1) as f32;
     let below = (eighths as usize).min(HEAT.len() - 2);

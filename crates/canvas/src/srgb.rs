@@ -1,8 +1,9 @@
 //! Which number in a file stands for how much light?
 //!
-//! The eye tells dark tones apart better than light ones, so a file of 256 steps spends more of them on the dark end. The curve
-//! between light and file is that of IEC 61966-2-1 (sRGB): nearly a power of 2.4, with a straight piece near black. Light is what
-//! may be added and averaged; encoded values may not. Half the light of white, for one, is not step 128 but step 188:
+//! The eye tells dark tones apart better than light ones, so a file of 256 steps spends more of them on the dark end.
+//! The curve between light and file is that of IEC 61966-2-1 (sRGB): nearly a power of 2.4, with a straight piece near
+//! black. Light is what may be added and averaged; encoded values may not. Half the light of white, for one, is not
+//! step 128 but step 188:
 //!
 //! ```
 //! use canvas::srgb;
@@ -24,11 +25,11 @@ const GAMMA: f64 = 2.4;
 
 /// The encoded value, in [0, 1], of an amount of light of one channel.
 ///
-/// 12.92 · x up to x = 0.0031307, and 1.055 · x^(1/2.4) − 0.055 above (IEC 61966-2-1). This is the one place where colours are
-/// clamped (E8).
+/// 12.92 · x up to x = 0.0031307, and 1.055 · x^(1/2.4) − 0.055 above (IEC 61966-2-1). This is the one place where
+/// colours are clamped (E8).
 ///
-/// - `linear`: light, proportional to power; 0 is black, 1 is the white of the file. Less than 0 counts as 0, more than 1 as 1,
-///   infinities likewise; NaN counts as 0, for a file has no step for it.
+/// - `linear`: light, proportional to power; 0 is black, 1 is the white of the file. Less than 0 counts as 0, more
+///   than 1 as 1, infinities likewise; NaN counts as 0, for a file has no step for it.
 ///
 /// ```
 /// use canvas::srgb::encode;
@@ -82,7 +83,8 @@ pub fn from_u16(step: u16) -> f32 {
     decode(f32::from(step) / f32::from(u16::MAX))
 }
 
-/// [`to_u8`] for many pixels: looks the step up instead of computing a power, with the same result in a tenth of the time.
+/// [`to_u8`] for many pixels: looks the step up instead of computing a power, with the same result in a tenth of the
+/// time.
 #[derive(Clone, Debug)]
 pub struct EightBitSteps {
     /// The least light of steps 1 to 255.

@@ -46,13 +46,14 @@ fn same_bits(a: &Image, b: &Image) -> bool {
 }
 
 fn clamped(light: f32) -> f32 {
-    light.max(0.0).min(1.0)
+    light.clamp(0.0, 1.0)
 }
 
 #[test]
 fn decoding_undoes_encoding_up_to_clamping() {
-    // Encoding rounds once, by at most 2^-25 below 1, and decoding stretches that by at most the slope 2.4/1.055 at white.
-    // Decoding rounds once more, and the curves themselves are evaluated in f64. 2.3 + 1 < 4 halves of an epsilon.
+    // Encoding rounds once, by at most 2^-25 below 1, and decoding stretches that by at most the slope 2.4/1.055 at
+    // white. Decoding rounds once more, and the curves themselves are evaluated in f64. 2.3 + 1 < 4 halves of an
+    // epsilon.
     Law::new("decode(encode(x)) is x, clamped")
         .cases(4000)
         .demand("straight piece", 0.1)
