@@ -21,13 +21,8 @@ fn world(level: u32) -> World {
     let object =
         Object::new(Shape::Mesh(mesh), Mat4::IDENTITY, vec![Surface::default()]).expect("a sound object");
     let lights = vec![
-        Light::Ambient {
-            color: Rgb::splat(0.2),
-        },
-        Light::Directional {
-            to_light: vec3(0.48, 0.64, 0.6),
-            color: Rgb::splat(0.8),
-        },
+        Light::Ambient { color: Rgb::splat(0.2) },
+        Light::Directional { to_light: vec3(0.48, 0.64, 0.6), color: Rgb::splat(0.8) },
     ];
     World::new(vec![object], lights)
 }
@@ -40,30 +35,19 @@ fn pipeline(size: u32) -> Pipeline {
 
 fn one_ray(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("nearest hit of 64 rays");
-    group
-        .sample_size(20)
-        .warm_up_time(Duration::from_millis(300))
-        .measurement_time(Duration::from_secs(1));
+    group.sample_size(20).warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_secs(1));
     let pipeline = pipeline(8);
-    let rays: Vec<Ray> = (0..64)
-        .map(|k| viewing_ray(&pipeline, (k % 8) as f32, (k / 8) as f32))
-        .collect();
+    let rays: Vec<Ray> = (0..64).map(|k| viewing_ray(&pipeline, (k % 8) as f32, (k / 8) as f32)).collect();
     for level in [0, 1, 2, 3] {
         let world = world(level);
         let triangles = shapes::teapot(level).expect("a level in range").len();
         group.bench_function(BenchmarkId::new("brute force", triangles), |bencher| {
             bencher.iter(|| {
-                rays.iter()
-                    .filter_map(|ray| nearest_brute(black_box(&world), ray, 0.0, 99.0))
-                    .count()
+                rays.iter().filter_map(|ray| nearest_brute(black_box(&world), ray, 0.0, 99.0)).count()
             });
         });
         group.bench_function(BenchmarkId::new("hierarchy", triangles), |bencher| {
-            bencher.iter(|| {
-                rays.iter()
-                    .filter_map(|ray| nearest(black_box(&world), ray, 0.0, 99.0))
-                    .count()
-            });
+            bencher.iter(|| rays.iter().filter_map(|ray| nearest(black_box(&world), ray, 0.0, 99.0)).count());
         });
         let mesh = shapes::teapot(level).expect("a level in range");
         group.bench_function(BenchmarkId::new("building the hierarchy", triangles), |bencher| {
@@ -75,16 +59,10 @@ fn one_ray(criterion: &mut Criterion) {
 
 fn whole_picture(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("teapot with shadows");
-    group
-        .sample_size(10)
-        .warm_up_time(Duration::from_millis(300))
-        .measurement_time(Duration::from_secs(2));
+    group.sample_size(10).warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_secs(2));
     let small = world(0);
     for search in [Search::BruteForce, Search::Hierarchy] {
-        let settings = Settings {
-            search,
-            ..Settings::default()
-        };
+        let settings = Settings { search, ..Settings::default() };
         group.bench_function(format!("240 triangles, 64 × 64, {search:?}"), |bencher| {
             bencher.iter(|| render(&small, &pipeline(64), &settings, &|_| ()));
         });

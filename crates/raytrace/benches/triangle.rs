@@ -19,24 +19,16 @@ fn pairs() -> Vec<(Ray, Triangle)> {
         let ray = proptest::prop_oneof![strategy::ray_at(triangle, 10.0), strategy::ray(10.0)];
         (ray, proptest::strategy::Just(triangle))
     });
-    (0..PAIRS)
-        .map(|_| pair.new_tree(&mut runner).expect("a pair").current())
-        .collect()
+    (0..PAIRS).map(|_| pair.new_tree(&mut runner).expect("a pair").current()).collect()
 }
 
 fn triangle(criterion: &mut Criterion) {
     let pairs = pairs();
     let mut group = criterion.benchmark_group("ray and triangle");
-    group
-        .sample_size(20)
-        .warm_up_time(Duration::from_millis(300))
-        .measurement_time(Duration::from_secs(1));
+    group.sample_size(20).warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_secs(1));
     group.throughput(Throughput::Elements(PAIRS as u64));
-    let solvers: [(&str, fn(&System) -> Option<Solution>); 3] = [
-        ("cramer", cramer),
-        ("inverse", inverse),
-        ("elimination", elimination),
-    ];
+    let solvers: [(&str, fn(&System) -> Option<Solution>); 3] =
+        [("cramer", cramer), ("inverse", inverse), ("elimination", elimination)];
     for (name, solve) in solvers {
         group.bench_function(name, |bencher| {
             bencher.iter(|| {
@@ -46,10 +38,8 @@ fn triangle(criterion: &mut Criterion) {
             });
         });
     }
-    let tests: [(
-        &str,
-        fn(&Ray, &Triangle, f32, f32) -> Option<raytrace::triangle::TriangleHit>,
-    ); 2] = [("raytri", raytri), ("watertight", watertight)];
+    let tests: [(&str, fn(&Ray, &Triangle, f32, f32) -> Option<raytrace::triangle::TriangleHit>); 2] =
+        [("raytri", raytri), ("watertight", watertight)];
     for (name, test) in tests {
         group.bench_function(name, |bencher| {
             bencher.iter(|| {

@@ -16,11 +16,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let camera = Camera::look_at(vec3(0.4, 2.2, 7.5), vec3(0.1, 0.9, 0.0), Vec3::Y)?;
     let volume = ViewVolume::from_fov_y(0.62, 1.5, -1.0, -60.0)?;
     let pipeline = Pipeline::new(camera, volume, 900, 600)?;
-    let settings = Settings {
-        samples: 3,
-        max_depth: 8,
-        ..Settings::default()
-    };
+    let settings = Settings { samples: 3, max_depth: 8, ..Settings::default() };
     let image = render(&world, &pipeline, &settings, &|_| ());
 
     let path = std::env::args().nth(1).unwrap_or_else(|| "mirror.png".to_owned());
@@ -31,34 +27,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
 fn objects() -> Result<Vec<Object>, Box<dyn std::error::Error>> {
     let mirror = Surface {
-        material: Material {
-            diffuse: Rgb::splat(0.02),
-            specular: Rgb::splat(0.6),
-            exponent: 400.0,
-        },
-        optics: Optics::Mirror {
-            reflectance: Rgb::new(0.9, 0.87, 0.8),
-        },
+        material: Material { diffuse: Rgb::splat(0.02), specular: Rgb::splat(0.6), exponent: 400.0 },
+        optics: Optics::Mirror { reflectance: Rgb::new(0.9, 0.87, 0.8) },
     };
     let glass = Surface {
-        material: Material {
-            diffuse: Rgb::ZERO,
-            specular: Rgb::splat(0.6),
-            exponent: 400.0,
-        },
-        optics: Optics::Glass {
-            refractive_index: 1.5,
-            transmittance: Rgb::new(0.93, 0.98, 0.95),
-        },
+        material: Material { diffuse: Rgb::ZERO, specular: Rgb::splat(0.6), exponent: 400.0 },
+        optics: Optics::Glass { refractive_index: 1.5, transmittance: Rgb::new(0.93, 0.98, 0.95) },
     };
     let glazed = Surface::opaque(Material::new(Rgb::new(0.65, 0.12, 0.05), 90.0));
 
     let ball = |at: Vec3, radius: f32, surface| {
-        Object::new(
-            Shape::Sphere(Sphere::new(at, radius)),
-            Mat4::IDENTITY,
-            vec![surface],
-        )
+        Object::new(Shape::Sphere(Sphere::new(at, radius)), Mat4::IDENTITY, vec![surface])
     };
     let teapot = Arc::new(TracedMesh::new(shapes::teapot(3)?));
     let pot = |at: Vec3, turn: f32| {
@@ -85,10 +64,7 @@ fn floor() -> Result<Object, Box<dyn std::error::Error>> {
     let (mut triangles, mut materials) = (Vec::new(), Vec::new());
     for (column, row) in fields {
         let first = row * side + column;
-        triangles.extend([
-            [first, first + 1, first + side + 1],
-            [first, first + side + 1, first + side],
-        ]);
+        triangles.extend([[first, first + 1, first + side + 1], [first, first + side + 1, first + side]]);
         materials.extend([(row + column) % 2; 2]);
     }
     let mesh = Mesh::new(corners, triangles)?.with_materials(materials)?;
@@ -102,16 +78,8 @@ fn floor() -> Result<Object, Box<dyn std::error::Error>> {
 
 fn lights() -> Vec<Light> {
     vec![
-        Light::Ambient {
-            color: Rgb::splat(0.25),
-        },
-        Light::Directional {
-            to_light: vec3(0.5, 0.8, 0.45).normalize(),
-            color: Rgb::new(0.6, 0.58, 0.5),
-        },
-        Light::Point {
-            position: vec3(-5.0, 6.0, 5.0),
-            color: Rgb::new(0.25, 0.27, 0.3),
-        },
+        Light::Ambient { color: Rgb::splat(0.25) },
+        Light::Directional { to_light: vec3(0.5, 0.8, 0.45).normalize(), color: Rgb::new(0.6, 0.58, 0.5) },
+        Light::Point { position: vec3(-5.0, 6.0, 5.0), color: Rgb::new(0.25, 0.27, 0.3) },
     ]
 }

@@ -40,9 +40,7 @@ pub fn local_color(world: &World, ray: &Ray, t0: f32, t1: f32) -> Rgb {
     };
     let at = point_of_hit(world, ray, &hit);
     let material = &world.surface(&hit).material;
-    lit(material, &world.lights, world.highlight, &at, |light| {
-        is_lit(world, ray, &hit, light)
-    })
+    lit(material, &world.lights, world.highlight, &at, |light| is_lit(world, ray, &hit, light))
 }
 
 /// The colour that a ray sees, recursively (L58): local light as in [`local_color`], by the world's shading, plus what
@@ -65,15 +63,8 @@ pub fn ray_color(world: &World, ray: &Ray, t0: f32, t1: f32, settings: &Settings
         Optics::Mirror { reflectance } => {
             light_on(world, ray, &hit, settings) + reflectance * reflected_color(world, ray, &hit, settings)
         }
-        Optics::Glass {
-            refractive_index,
-            transmittance,
-        } => {
-            let local = if hit.is_front(ray) {
-                light_on(world, ray, &hit, settings)
-            } else {
-                Rgb::ZERO
-            };
+        Optics::Glass { refractive_index, transmittance } => {
+            let local = if hit.is_front(ray) { light_on(world, ray, &hit, settings) } else { Rgb::ZERO };
             local + glass_color(world, ray, &hit, (refractive_index, transmittance), settings)
         }
     }
@@ -85,11 +76,7 @@ fn point_of_hit(world: &World, ray: &Ray, hit: &Hit) -> SurfacePoint {
 }
 
 fn surface_point(ray: &Ray, p_world: Vec3, n: Vec3) -> SurfacePoint {
-    SurfacePoint {
-        p_world,
-        n,
-        to_eye: (ray.origin - p_world).normalize_or(n),
-    }
+    SurfacePoint { p_world, n, to_eye: (ray.origin - p_world).normalize_or(n) }
 }
 
 /// The shading normal by the one rule that turns it: if the front looks away from the ray's start, it is negated.
@@ -105,10 +92,7 @@ fn light_on(world: &World, ray: &Ray, hit: &Hit, settings: &Settings) -> Rgb {
     let material = &world.surface(hit).material;
     let one_light = |light: &Light| {
         let unhindered = points[..count].iter().fold(Rgb::ZERO, |sum, (at, weight)| {
-            sum + *weight
-                * lit(material, std::slice::from_ref(light), world.highlight, at, |_| {
-                    true
-                })
+            sum + *weight * lit(material, std::slice::from_ref(light), world.highlight, at, |_| true)
         });
         match light.illumination(hit.point) {
             Some(arriving) if settings.shadows && unhindered != Rgb::ZERO => {
@@ -127,10 +111,7 @@ fn lighting_points(world: &World, ray: &Ray, hit: &Hit) -> ([(SurfacePoint, f32)
     match (world.interpolation, corners) {
         (Interpolation::Flat, Some([a, b, c])) => {
             let centroid = (a + b + c) / 3.0;
-            (
-                [(surface_point(ray, centroid, hit.normal_towards(ray)), 1.0); 3],
-                1,
-            )
+            ([(surface_point(ray, centroid, hit.normal_towards(ray)), 1.0); 3], 1)
         }
         (Interpolation::Gouraud, Some(corners)) => {
             let normals = object.corner_normals(hit.triangle).unwrap_or([hit.normal; 3]);
@@ -150,16 +131,8 @@ fn reflected_color(world: &World, ray: &Ray, hit: &Hit, settings: &Settings) -> 
     let d = ray.direction.normalize_or(-n);
     let direction = mirrored(d, shading_normal_towards(world, ray, hit));
     // A smooth normal can mirror the ray into the flat face; then the face's own normal does it.
-    let direction = if direction.dot(n) > 0.0 {
-        direction
-    } else {
-        mirrored(d, n)
-    };
-    follow(
-        world,
-        Ray::new(hit.point + hit.clearance * n, direction),
-        settings,
-    )
+    let direction = if direction.dot(n) > 0.0 { direction } else { mirrored(d, n) };
+    follow(world, Ray::new(hit.point + hit.clearance * n, direction), settings)
 }
 
 /// What glass shows: by Fresnel's share the reflected ray, for the rest the refracted one.
@@ -188,15 +161,6 @@ fn glass_color(world: &World, ray: &Ray, hit: &Hit, glass: (f32, Rgb), settings:
 fn follow(world: &World, ray: Ray, settings: &Settings) -> Rgb {
     match settings.max_depth.checked_sub(1) {
         None => world.background,
-        Some(max_depth) => ray_color(
-            world,
-            &ray,
-            0.0,
-            f32::INFINITY,
-            &Settings {
-                max_depth,
-                ..*settings
-            },
-        ),
+        Some(max_depth) => ray_color(world, &ray, 0.0, f32::INFINITY, &Settings { max_depth, ..*settings }),
     }
 }

@@ -55,18 +55,12 @@ const STEP_COST: f32 = 2.0;
 impl Hierarchy {
     /// The tree over `boxes`. Empty boxes are left out: no ray hits what is in them.
     pub(crate) fn new(boxes: &[Aabb]) -> Self {
-        let order: Vec<u32> = (0..boxes.len() as u32)
-            .filter(|k| !boxes[*k as usize].is_empty())
-            .collect();
+        let order: Vec<u32> = (0..boxes.len() as u32).filter(|k| !boxes[*k as usize].is_empty()).collect();
         if order.is_empty() {
             return Self::default();
         }
         let tree = grouped(boxes, &order);
-        let order: Vec<u32> = tree
-            .primitive_indices
-            .iter()
-            .map(|k| order[*k as usize])
-            .collect();
+        let order: Vec<u32> = tree.primitive_indices.iter().map(|k| order[*k as usize]).collect();
         Self::flattened(&tree.nodes, order, boxes)
     }
 
@@ -82,10 +76,10 @@ impl Hierarchy {
     pub(crate) fn walk(&self, ray: &BoxRay, t0: f32, t1: f32, mut open: impl FnMut(Range<usize>) -> f32) {
         let mut t1 = t1;
         let mut waiting = Stack::default();
-        if let Some((bounds, root)) = &self.root {
-            if let Some(entry) = ray.entry(bounds, t0, t1) {
-                waiting.push((entry, *root));
-            }
+        if let Some((bounds, root)) = &self.root
+            && let Some(entry) = ray.entry(bounds, t0, t1)
+        {
+            waiting.push((entry, *root));
         }
         while let Some((entry, child)) = waiting.pop() {
             // The search may have become shorter since the box was put aside.
@@ -97,21 +91,14 @@ impl Hierarchy {
                 continue;
             }
             let node = &self.nodes[child.first as usize];
-            let left = ray
-                .entry(&node.bounds[0], t0, t1)
-                .map(|entry| (entry, node.children[0]));
-            let right = ray
-                .entry(&node.bounds[1], t0, t1)
-                .map(|entry| (entry, node.children[1]));
+            let left = ray.entry(&node.bounds[0], t0, t1).map(|entry| (entry, node.children[0]));
+            let right = ray.entry(&node.bounds[1], t0, t1).map(|entry| (entry, node.children[1]));
             let (nearer, farther) = match (left, right) {
                 (Some(l), Some(r)) if r.0 < l.0 => (right, left),
                 _ => (left, right),
             };
             // The last one in is the first one out.
-            farther
-                .into_iter()
-                .chain(nearer)
-                .for_each(|item| waiting.push(item));
+            farther.into_iter().chain(nearer).for_each(|item| waiting.push(item));
         }
     }
 
@@ -119,22 +106,12 @@ impl Hierarchy {
     fn flattened(nodes: &[Bvh2Node], order: Vec<u32>, boxes: &[Aabb]) -> Self {
         let from_root_down = from_root_down(nodes);
         let mut place = vec![0; nodes.len()];
-        for (k, inner) in from_root_down
-            .iter()
-            .filter(|k| !nodes[**k].is_leaf())
-            .enumerate()
-        {
+        for (k, inner) in from_root_down.iter().filter(|k| !nodes[**k].is_leaf()).enumerate() {
             place[*inner] = k as u32;
         }
         let child = |k: usize| match nodes[k].prim_count {
-            0 => Child {
-                first: place[k],
-                count: 0,
-            },
-            count => Child {
-                first: nodes[k].first_index,
-                count,
-            },
+            0 => Child { first: place[k], count: 0 },
+            count => Child { first: nodes[k].first_index, count },
         };
 
         let mut bounds = vec![Aabb::EMPTY; nodes.len()];
@@ -142,38 +119,24 @@ impl Hierarchy {
             let first = nodes[k].first_index as usize;
             bounds[k] = if nodes[k].is_leaf() {
                 let things = &order[first..first + nodes[k].prim_count as usize];
-                things
-                    .iter()
-                    .fold(Aabb::EMPTY, |all, thing| all.union(boxes[*thing as usize]))
+                things.iter().fold(Aabb::EMPTY, |all, thing| all.union(boxes[*thing as usize]))
             } else {
                 bounds[first].union(bounds[first + 1])
             };
         }
         let inner = from_root_down.iter().filter(|k| !nodes[**k].is_leaf()).map(|&k| {
             let pair = [nodes[k].first_index as usize, nodes[k].first_index as usize + 1];
-            Node {
-                bounds: pair.map(|k| Bounds::from(bounds[k])),
-                children: pair.map(child),
-            }
+            Node { bounds: pair.map(|k| Bounds::from(bounds[k])), children: pair.map(child) }
         });
-        Self {
-            nodes: inner.collect(),
-            root: Some((bounds[0].into(), child(0))),
-            order,
-        }
+        Self { nodes: inner.collect(), root: Some((bounds[0].into(), child(0))), order }
     }
 }
 
 /// Which things share a box: a binary tree by `obvhs`, over `order`.
 fn grouped(boxes: &[Aabb], order: &[u32]) -> Bvh2 {
     // Moved into the unit cube, where no area overflows or vanishes; only the shape of the tree comes from these boxes.
-    let whole = order
-        .iter()
-        .fold(Aabb::EMPTY, |all, k| all.union(boxes[*k as usize]));
-    let (origin, size) = (
-        whole.min.as_dvec3(),
-        (whole.max.as_dvec3() - whole.min.as_dvec3()).max_element(),
-    );
+    let whole = order.iter().fold(Aabb::EMPTY, |all, k| all.union(boxes[*k as usize]));
+    let (origin, size) = (whole.min.as_dvec3(), (whole.max.as_dvec3() - whole.min.as_dvec3()).max_element());
     let scale = if size > 0.0 { size.recip() } else { 1.0 };
     let into_cube = |p: glam::Vec3| ((p.as_dvec3() - origin) * scale).as_vec3a();
     let scaled: Vec<obvhs::aabb::Aabb> = order
@@ -213,10 +176,7 @@ fn from_root_down(nodes: &[Bvh2Node]) -> Vec<usize> {
 
 impl From<Aabb> for Bounds {
     fn from(aabb: Aabb) -> Self {
-        Self {
-            min: aabb.min.into(),
-            max: aabb.max.into(),
-        }
+        Self { min: aabb.min.into(), max: aabb.max.into() }
     }
 }
 
@@ -277,11 +237,7 @@ struct Stack {
 
 impl Default for Stack {
     fn default() -> Self {
-        Self {
-            few: [(0.0, Child::default()); Self::FEW],
-            len: 0,
-            more: Vec::new(),
-        }
+        Self { few: [(0.0, Child::default()); Self::FEW], len: 0, more: Vec::new() }
     }
 }
 

@@ -42,27 +42,13 @@ impl TracedMesh {
             let triangle = mesh.triangle(k);
             // No ray hits a triangle with two equal corners; and of equal triangles the first one wins every tie.
             // Files have either by the thousand, and a tree of equal boxes has no good shape.
-            let key = triangle
-                .corners()
-                .map(|corner| corner.to_array().map(f32::to_bits));
-            if has_equal_corners(&triangle) || !seen.insert(key) {
-                Aabb::EMPTY
-            } else {
-                triangle.aabb()
-            }
+            let key = triangle.corners().map(|corner| corner.to_array().map(f32::to_bits));
+            if has_equal_corners(&triangle) || !seen.insert(key) { Aabb::EMPTY } else { triangle.aabb() }
         };
         let boxes: Vec<Aabb> = (0..mesh.len()).map(&mut box_of).collect();
         let hierarchy = Hierarchy::new(&boxes);
-        let corners = hierarchy
-            .order()
-            .iter()
-            .map(|k| mesh.triangle(*k as usize).corners())
-            .collect();
-        Self {
-            mesh,
-            hierarchy,
-            corners,
-        }
+        let corners = hierarchy.order().iter().map(|k| mesh.triangle(*k as usize).corners()).collect();
+        Self { mesh, hierarchy, corners }
     }
 
     /// The mesh.
@@ -89,10 +75,7 @@ impl TracedMesh {
         let sheared = ShearedRay::new(ray);
         let (t0, t1) = nearest.interval();
         self.hierarchy.walk(&box_ray, t0, t1, |leaf| {
-            for (k, corners) in self.hierarchy.order()[leaf.clone()]
-                .iter()
-                .zip(&self.corners[leaf])
-            {
+            for (k, corners) in self.hierarchy.order()[leaf.clone()].iter().zip(&self.corners[leaf]) {
                 if let Some(hit) = sheared.hit(corners) {
                     nearest.offer(*k, hit);
                 }
@@ -106,18 +89,12 @@ impl TracedMesh {
         let between = |hit: &TriangleHit| t0 < hit.t && hit.t < t1;
         let sheared = ShearedRay::new(ray);
         let Some(box_ray) = BoxRay::new(ray) else {
-            return self
-                .corners
-                .iter()
-                .filter_map(|corners| sheared.hit(corners))
-                .any(|hit| between(&hit));
+            return self.corners.iter().filter_map(|corners| sheared.hit(corners)).any(|hit| between(&hit));
         };
         let mut found = false;
         self.hierarchy.walk(&box_ray, t0, t1, |leaf| {
-            found = self.corners[leaf]
-                .iter()
-                .filter_map(|corners| sheared.hit(corners))
-                .any(|hit| between(&hit));
+            found =
+                self.corners[leaf].iter().filter_map(|corners| sheared.hit(corners)).any(|hit| between(&hit));
             if found { f32::NEG_INFINITY } else { t1 }
         });
         found

@@ -140,10 +140,7 @@ impl Object {
         let Shape::Mesh(traced) = &self.shape else {
             return None;
         };
-        let normals = traced
-            .mesh()
-            .corner_normals(triangle)?
-            .map(|n| self.normal_to_world(n.as_dvec3()));
+        let normals = traced.mesh().corner_normals(triangle)?.map(|n| self.normal_to_world(n.as_dvec3()));
         normals.iter().all(|n| *n != Vec3::ZERO).then_some(normals)
     }
 
@@ -174,19 +171,15 @@ impl Object {
             Shape::Mesh(traced) => {
                 let corners = traced.mesh().triangle(triangle).corners();
                 let [a, b, c] = corners.map(|corner| corner.as_dvec3());
-                (
-                    point_in_plane(&corners, weights),
-                    (b - a).cross(c - a).normalize_or_zero(),
-                )
+                (point_in_plane(&corners, weights), (b - a).cross(c - a).normalize_or_zero())
             }
             Shape::Sphere(sphere) => {
                 let p = crate::sphere::onto(sphere, p_object);
                 (p, (p - sphere.center.as_dvec3()).normalize_or_zero())
             }
-            Shape::Plane(plane) => (
-                crate::plane::onto(plane, p_object),
-                plane.normal.as_dvec3().normalize_or_zero(),
-            ),
+            Shape::Plane(plane) => {
+                (crate::plane::onto(plane, p_object), plane.normal.as_dvec3().normalize_or_zero())
+            }
         };
         (self.to_world(p), self.normal_to_world(n))
     }
@@ -209,10 +202,7 @@ fn extent(shape: &Shape, world_from_object: &DAffine3) -> Result<(Option<Aabb>, 
         Shape::Mesh(traced) => traced.mesh().aabb(),
         Shape::Sphere(sphere) if sphere.center.is_finite() && sphere.radius > 0.0 => sphere.aabb(),
         Shape::Plane(plane) if plane.offset.is_finite() && plane.normal.try_normalize().is_some() => {
-            return Ok((
-                None,
-                world_from_object.translation.length() + f64::from(plane.offset.abs()),
-            ));
+            return Ok((None, world_from_object.translation.length() + f64::from(plane.offset.abs())));
         }
         Shape::Sphere(_) | Shape::Plane(_) => return Err(ObjectError::Degenerate),
     };
@@ -224,18 +214,13 @@ fn extent(shape: &Shape, world_from_object: &DAffine3) -> Result<(Option<Aabb>, 
         let m = &world_from_object.matrix3;
         (m.x_axis * corner.x).abs() + (m.y_axis * corner.y).abs() + (m.z_axis * corner.z).abs()
     });
-    let scale = sizes
-        .into_iter()
-        .fold(0.0, |size: f64, s| size.max(s.max_element()))
+    let scale = sizes.into_iter().fold(0.0, |size: f64, s| size.max(s.max_element()))
         + world_from_object.translation.abs().max_element();
     let slack = BOX_SLACK * scale;
     let world = corners.map(|corner| world_from_object.transform_point3(corner));
     let min = world.into_iter().fold(DVec3::INFINITY, DVec3::min) - slack;
     let max = world.into_iter().fold(DVec3::NEG_INFINITY, DVec3::max) + slack;
-    let bounds = Aabb {
-        min: min.as_vec3(),
-        max: max.as_vec3(),
-    };
+    let bounds = Aabb { min: min.as_vec3(), max: max.as_vec3() };
     if bounds.min.is_finite() && bounds.max.is_finite() {
         Ok((Some(bounds), scale))
     } else {

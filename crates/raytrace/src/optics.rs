@@ -79,11 +79,7 @@ mod tests {
         // From glass of index 1.5 into air: sin θ = 1/1.5 at 41.8°.
         for (degrees, passes) in [(41.7_f32, true), (41.9, false), (80.0, false)] {
             let (sin, cos) = degrees.to_radians().sin_cos();
-            assert_eq!(
-                refracted(vec3(sin, 0.0, -cos), Vec3::Z, 1.5).is_some(),
-                passes,
-                "{degrees}"
-            );
+            assert_eq!(refracted(vec3(sin, 0.0, -cos), Vec3::Z, 1.5).is_some(), passes, "{degrees}");
             assert_eq!(fresnel(cos, 1.5) < 1.0, passes, "{degrees}");
         }
     }

@@ -26,12 +26,7 @@ pub struct Settings {
 impl Default for Settings {
     /// One ray a pixel, with shadows, six mirrors deep.
     fn default() -> Self {
-        Self {
-            samples: 1,
-            shadows: true,
-            max_depth: 6,
-            search: Search::Hierarchy,
-        }
+        Self { samples: 1, shadows: true, max_depth: 6, search: Search::Hierarchy }
     }
 }
 
@@ -69,17 +64,13 @@ pub fn render(
     let (width, height) = (pipeline.width(), pipeline.height());
     let mut image = Image::new(width, height, Rgb::ZERO);
     let rows_done = AtomicUsize::new(0);
-    image
-        .pixels_mut()
-        .par_chunks_mut(width as usize)
-        .enumerate()
-        .for_each(|(row, pixels)| {
-            let j = row_from_j(row as u32, height);
-            for (i, pixel) in pixels.iter_mut().enumerate() {
-                *pixel = pixel_color(world, pipeline, settings, i as u32, j);
-            }
-            progress(rows_done.fetch_add(1, Ordering::Relaxed) + 1);
-        });
+    image.pixels_mut().par_chunks_mut(width as usize).enumerate().for_each(|(row, pixels)| {
+        let j = row_from_j(row as u32, height);
+        for (i, pixel) in pixels.iter_mut().enumerate() {
+            *pixel = pixel_color(world, pipeline, settings, i as u32, j);
+        }
+        progress(rows_done.fetch_add(1, Ordering::Relaxed) + 1);
+    });
     image
 }
 
@@ -104,14 +95,12 @@ fn pixel_color(world: &World, pipeline: &Pipeline, settings: &Settings, i: u32, 
 pub fn visible(world: &World, pipeline: &Pipeline) -> Vec<Option<Hit>> {
     let (width, height) = (pipeline.width(), pipeline.height());
     let mut hits = vec![None; width as usize * height as usize];
-    hits.par_chunks_mut(width as usize)
-        .enumerate()
-        .for_each(|(row, hits)| {
-            let j = row_from_j(row as u32, height);
-            for (i, hit) in hits.iter_mut().enumerate() {
-                *hit = pick(world, pipeline, i as f32, j as f32);
-            }
-        });
+    hits.par_chunks_mut(width as usize).enumerate().for_each(|(row, hits)| {
+        let j = row_from_j(row as u32, height);
+        for (i, hit) in hits.iter_mut().enumerate() {
+            *hit = pick(world, pipeline, i as f32, j as f32);
+        }
+    });
     hits
 }
 

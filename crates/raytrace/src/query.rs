@@ -47,11 +47,7 @@ impl Hit {
     /// The geometric normal on the side from which `ray` came.
     #[must_use]
     pub fn normal_towards(&self, ray: &Ray) -> Vec3 {
-        if self.is_front(ray) {
-            self.normal
-        } else {
-            -self.normal
-        }
+        if self.is_front(ray) { self.normal } else { -self.normal }
     }
 
     /// Whether `ray` sees the front.
@@ -171,12 +167,7 @@ struct Candidate {
 
 impl Nearest {
     fn new(t0: f32, t1: f32) -> Self {
-        Self {
-            t0,
-            t1,
-            object: 0,
-            best: None,
-        }
+        Self { t0, t1, object: 0, best: None }
     }
 
     /// Where hits may lie that are still of interest, ends included: an equally near one may win the tie.
@@ -195,12 +186,7 @@ impl Nearest {
             }
         };
         if better {
-            self.best = Some(Candidate {
-                t: hit.t,
-                object: self.object,
-                triangle,
-                weights: hit.weights,
-            });
+            self.best = Some(Candidate { t: hit.t, object: self.object, triangle, weights: hit.weights });
         }
     }
 
@@ -209,13 +195,8 @@ impl Nearest {
         let ray = ray.transformed(object.object_from_world());
         self.object = k as u32;
         let mut offer = |t: f64| {
-            self.offer(
-                0,
-                TriangleHit {
-                    t: t as f32,
-                    weights: Barycentric::A,
-                },
-            )
+            let weights = Barycentric::A;
+            self.offer(0, TriangleHit { t: t as f32, weights });
         };
         match object.shape() {
             Shape::Mesh(traced) if search == Search::BruteForce => traced.nearest_brute(&ray, self),
@@ -230,27 +211,14 @@ impl Nearest {
     }
 
     fn hit(&self, world: &World, ray: &SpaceRay) -> Option<Hit> {
-        let Candidate {
-            t,
-            object,
-            triangle,
-            weights,
-        } = self.best?;
+        let Candidate { t, object, triangle, weights } = self.best?;
         let (object, triangle) = (object as usize, triangle as usize);
         let thing = &world.objects()[object];
         let p_object = ray.transformed(thing.object_from_world()).at(f64::from(t));
         let (point, normal) = thing.point_and_normal(triangle, weights, p_object);
         let far = ray.origin.abs().max_element() + f64::from(t).abs() * ray.direction.abs().max_element();
         let clearance = clearance(point.abs().max_element(), thing.scale() + far);
-        Some(Hit {
-            t,
-            object,
-            triangle,
-            weights,
-            point: point.as_vec3(),
-            normal,
-            clearance,
-        })
+        Some(Hit { t, object, triangle, weights, point: point.as_vec3(), normal, clearance })
     }
 }
 

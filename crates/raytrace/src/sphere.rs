@@ -27,10 +27,7 @@ use crate::space::SpaceRay;
 #[must_use]
 pub fn intersect(ray: &Ray, sphere: &Sphere, t0: f32, t1: f32) -> Option<f32> {
     let crossings = crossings(&SpaceRay::new(ray)?, sphere)?;
-    crossings
-        .into_iter()
-        .map(|t| t as f32)
-        .find(|t| t0 < *t && *t < t1)
+    crossings.into_iter().map(|t| t as f32).find(|t| t0 < *t && *t < t1)
 }
 
 /// The two t at which the line crosses the sphere, smaller first; equal if it touches.
@@ -70,31 +67,16 @@ mod tests {
         let t = intersect(&Ray::new(Vec3::ZERO, Vec3::NEG_Z), &far, 0.0, f32::INFINITY).unwrap();
         assert_eq!(t, 99_999.5);
         let ground = Sphere::new(vec3(0.0, -1e7, 0.0), 1e7);
-        let t = intersect(
-            &Ray::new(vec3(0.0, 1.5, 0.0), Vec3::NEG_Y),
-            &ground,
-            0.0,
-            f32::INFINITY,
-        )
-        .unwrap();
+        let t = intersect(&Ray::new(vec3(0.0, 1.5, 0.0), Vec3::NEG_Y), &ground, 0.0, f32::INFINITY).unwrap();
         assert_eq!(t, 1.5);
     }
 
     #[test]
     fn from_inside_the_far_side_is_hit_and_from_beyond_nothing() {
         let ball = Sphere::new(vec3(1.0, 2.0, 3.0), 2.0);
-        assert_eq!(
-            intersect(&Ray::new(ball.center, Vec3::X), &ball, 0.0, 9.0),
-            Some(2.0)
-        );
-        assert_eq!(
-            intersect(&Ray::new(vec3(4.0, 2.0, 3.0), Vec3::X), &ball, 0.0, 9.0),
-            None
-        );
-        assert_eq!(
-            intersect(&Ray::new(vec3(4.0, 2.0, 3.0), Vec3::ZERO), &ball, 0.0, 9.0),
-            None
-        );
+        assert_eq!(intersect(&Ray::new(ball.center, Vec3::X), &ball, 0.0, 9.0), Some(2.0));
+        assert_eq!(intersect(&Ray::new(vec3(4.0, 2.0, 3.0), Vec3::X), &ball, 0.0, 9.0), None);
+        assert_eq!(intersect(&Ray::new(vec3(4.0, 2.0, 3.0), Vec3::ZERO), &ball, 0.0, 9.0), None);
     }
 
     #[test]
@@ -102,9 +84,6 @@ mod tests {
         let ball = Sphere::new(Vec3::ZERO, 1.0);
         let ray = Ray::new(vec3(-3.0, 1.0, 0.0), Vec3::X);
         assert_eq!(intersect(&ray, &ball, 0.0, 9.0), Some(3.0));
-        assert_eq!(
-            intersect(&Ray::new(vec3(-3.0, 1.0 + 1e-6, 0.0), Vec3::X), &ball, 0.0, 9.0),
-            None
-        );
+        assert_eq!(intersect(&Ray::new(vec3(-3.0, 1.0 + 1e-6, 0.0), Vec3::X), &ball, 0.0, 9.0), None);
     }
 }

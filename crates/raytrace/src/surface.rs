@@ -40,9 +40,6 @@ impl Surface {
     /// An opaque surface.
     #[must_use]
     pub fn opaque(material: Material) -> Self {
-        Self {
-            material,
-            optics: Optics::Opaque,
-        }
+        Self { material, optics: Optics::Opaque }
     }
 }

@@ -33,10 +33,7 @@ pub fn viewing_ray(pipeline: &Pipeline, i: f32, j: f32) -> Ray {
     let (camera, volume) = (pipeline.camera(), pipeline.volume());
     let window = viewport::window_point(&volume, pipeline.width(), pipeline.height(), vec2(i, j));
     let basis = camera.basis();
-    Ray::new(
-        camera.eye(),
-        window.x * basis.u + window.y * basis.v + volume.near * basis.w,
-    )
+    Ray::new(camera.eye(), window.x * basis.u + window.y * basis.v + volume.near * basis.w)
 }
 
 /// The t of the near plane and of the far plane on every viewing ray: 1 and f/n.
@@ -53,14 +50,8 @@ mod tests {
     use glam::{Vec3, vec3};
     use transforms::Camera;
 
-    const VOLUME: ViewVolume = ViewVolume {
-        left: -2.0,
-        right: 4.0,
-        bottom: -1.0,
-        top: 3.0,
-        near: -2.0,
-        far: -50.0,
-    };
+    const VOLUME: ViewVolume =
+        ViewVolume { left: -2.0, right: 4.0, bottom: -1.0, top: 3.0, near: -2.0, far: -50.0 };
 
     #[test]
     fn near_and_far_plane_lie_at_the_ends_of_the_visible_interval() {

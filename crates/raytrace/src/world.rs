@@ -64,14 +64,9 @@ impl World {
     /// ```
     #[must_use]
     pub fn new(objects: Vec<Object>, lights: Vec<Light>) -> Self {
-        let boxes: Vec<Aabb> = objects
-            .iter()
-            .map(|object| object.bounds().unwrap_or(Aabb::EMPTY))
-            .collect();
-        let unbounded = (0..objects.len())
-            .filter(|k| objects[*k].bounds().is_none())
-            .map(|k| k as u32)
-            .collect();
+        let boxes: Vec<Aabb> = objects.iter().map(|object| object.bounds().unwrap_or(Aabb::EMPTY)).collect();
+        let unbounded =
+            (0..objects.len()).filter(|k| objects[*k].bounds().is_none()).map(|k| k as u32).collect();
         let is_glass = |surface: &Surface| matches!(surface.optics, Optics::Glass { .. });
         let has_glass = objects.iter().flat_map(Object::surfaces).any(is_glass);
         Self {
@@ -109,10 +104,7 @@ impl World {
             return hit.normal;
         };
         // Opposite normals may cancel; then they say nothing.
-        hit.weights
-            .interpolate(n0, n1, n2)
-            .try_normalize()
-            .unwrap_or(hit.normal)
+        hit.weights.interpolate(n0, n1, n2).try_normalize().unwrap_or(hit.normal)
     }
 
     /// Whether any surface is glass: else a shadow ray need not know what it meets.

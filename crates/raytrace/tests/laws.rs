@@ -25,11 +25,8 @@ fn three_ways_to_solve_the_system() {
         .holds_for(inputs, |(triangle, ray), seen| {
             let system = system(&ray, &triangle);
             let solutions = [cramer(&system), inverse(&system), elimination(&system)];
-            let (p, q, d) = (
-                system.matrix.x_axis.length(),
-                system.matrix.y_axis.length(),
-                ray.direction.length(),
-            );
+            let (p, q, d) =
+                (system.matrix.x_axis.length(), system.matrix.y_axis.length(), ray.direction.length());
             let determinant = system.matrix.determinant().abs();
             // Ill-conditioned systems have no digits to agree in.
             if determinant < 1e-3 * p * q * d {
@@ -83,9 +80,7 @@ fn the_slides_test_and_the_watertight_one() {
             let ours = watertight(&ray, &triangle, 0.0, 1e9);
             seen.class("hit", ours.is_some());
             seen.class("miss", ours.is_none());
-            ensure(slide.is_some() == ours.is_some(), || {
-                format!("raytri {slide:?}, watertight {ours:?}")
-            })
+            ensure(slide.is_some() == ours.is_some(), || format!("raytri {slide:?}, watertight {ours:?}"))
         });
 }
 
@@ -116,25 +111,13 @@ fn aimed(mesh: &Mesh, aim: Aim, triangle: usize, from: Vec3, mix: f32) -> Ray {
         Aim::Anywhere => Ray::through(from, 0.3 * a + 0.3 * b - 0.1 * c),
         Aim::Corner => Ray::through(from, a),
         // Half of an edge is exact; other points lie beside it by a rounding.
-        Aim::Edge => Ray::through(
-            from,
-            if mix < 0.5 {
-                0.5 * (a + b)
-            } else {
-                a + mix * (b - a)
-            },
-        ),
+        Aim::Edge => Ray::through(from, if mix < 0.5 { 0.5 * (a + b) } else { a + mix * (b - a) }),
         Aim::AlongEdge => Ray::new(a + 2.0 * (a - b), b - a),
     }
 }
 
 fn aim() -> impl Strategy<Value = Aim> {
-    prop_oneof![
-        Just(Aim::Anywhere),
-        Just(Aim::Corner),
-        Just(Aim::Edge),
-        Just(Aim::AlongEdge)
-    ]
+    prop_oneof![Just(Aim::Anywhere), Just(Aim::Corner), Just(Aim::Edge), Just(Aim::AlongEdge)]
 }
 
 /// Points of the cube, some with coordinates in common with corners of the meshes, so that rays run along axes.
@@ -178,11 +161,7 @@ fn a_ray_from_inside_a_closed_convex_mesh_leaves_it_once() {
         .holds_for(
             (aim(), 0..320_usize, strategy::point(0.4), 0.0_f32..1.0),
             |(aim, triangle, from, mix), seen| {
-                let aim = if matches!(aim, Aim::AlongEdge) {
-                    Aim::Corner
-                } else {
-                    aim
-                };
+                let aim = if matches!(aim, Aim::AlongEdge) { Aim::Corner } else { aim };
                 seen.class("at a corner", matches!(aim, Aim::Corner));
                 let ray = aimed(&mesh, aim, triangle, from, mix);
                 let hits = (0..mesh.len())
@@ -194,10 +173,7 @@ fn a_ray_from_inside_a_closed_convex_mesh_leaves_it_once() {
 }
 
 fn world_of(maps: &[Mat4]) -> World {
-    let meshes: Vec<_> = closed_meshes()
-        .into_iter()
-        .map(|mesh| Arc::new(TracedMesh::new(mesh)))
-        .collect();
+    let meshes: Vec<_> = closed_meshes().into_iter().map(|mesh| Arc::new(TracedMesh::new(mesh))).collect();
     let shape = |k: usize| match k % 7 {
         5 => Shape::Sphere(Sphere::new(vec3(0.2, -0.1, 0.3), 1.5)),
         6 => Shape::Plane(Plane::new(vec3(0.0, -1.0, 0.0), vec3(0.1, 1.0, 0.2).normalize())),
@@ -223,89 +199,67 @@ fn brute_force_and_the_hierarchy_find_the_same() {
         .demand("front", 0.2)
         .demand("back", 0.05)
         .demand("a bounded interval", 0.3)
-        .holds_for(
-            (maps(), aim(), viewpoint(), 0..1000_usize, 0.1_f32..4.0),
-            |input, seen| {
-                let (maps, aim, from, triangle, t1) = input;
-                let world = world_of(&maps);
-                let ray = match world.objects()[0].corners(0) {
-                    Some(_) => {
-                        let corners = world.objects()[0].corners(triangle % 20).unwrap();
-                        let mesh = Mesh::new(corners.to_vec(), vec![[0, 1, 2]]).unwrap();
-                        aimed(&mesh, aim, 0, from, 0.25)
-                    }
-                    None => Ray::through(from, Vec3::ZERO),
-                };
-                let t1 = if t1 > 2.0 { f32::INFINITY } else { t1 };
-                let (fast, slow) = (
-                    nearest(&world, &ray, 0.0, t1),
-                    nearest_brute(&world, &ray, 0.0, t1),
-                );
-                seen.class("hit", slow.is_some());
-                seen.class("miss", slow.is_none());
-                seen.class("front", slow.is_some_and(|hit| hit.is_front(&ray)));
-                seen.class("back", slow.is_some_and(|hit| !hit.is_front(&ray)));
-                seen.class("a bounded interval", t1.is_finite());
-                ensure(fast == slow, || {
-                    format!("hierarchy {fast:?}, brute force {slow:?}")
-                })?;
-                let (fast, slow) = (
-                    any_hit(&world, &ray, 0.0, t1),
-                    any_hit_brute(&world, &ray, 0.0, t1),
-                );
-                ensure(fast == slow, || {
-                    format!("any hit: hierarchy {fast}, brute force {slow}")
-                })
-            },
-        );
-}
-
-#[test]
-fn equal_objects_in_one_place_give_the_first() {
-    Law::new("of equally near hits the lowest object wins")
-        .cases(200)
-        .demand("hit", 0.3)
-        .holds_for((strategy::affine(3.0), viewpoint()), |(map, from), seen| {
-            let mesh = Arc::new(TracedMesh::new(shapes::icosphere(1).unwrap()));
-            let twin = || Object::new(Shape::Mesh(mesh.clone()), map, vec![Surface::default()]).unwrap();
-            let world = World::new(vec![twin(), twin(), twin()], Vec::new());
-            let hit = nearest(
-                &world,
-                &Ray::through(from, map.transform_point3(Vec3::ZERO)),
-                0.0,
-                f32::INFINITY,
-            );
-            seen.class("hit", hit.is_some());
-            ensure(hit.is_none_or(|hit| hit.object == 0), || format!("{hit:?}"))
+        .holds_for((maps(), aim(), viewpoint(), 0..1000_usize, 0.1_f32..4.0), |input, seen| {
+            let (maps, aim, from, triangle, t1) = input;
+            let world = world_of(&maps);
+            let ray = match world.objects()[0].corners(0) {
+                Some(_) => {
+                    let corners = world.objects()[0].corners(triangle % 20).unwrap();
+                    let mesh = Mesh::new(corners.to_vec(), vec![[0, 1, 2]]).unwrap();
+                    aimed(&mesh, aim, 0, from, 0.25)
+                }
+                None => Ray::through(from, Vec3::ZERO),
+            };
+            let t1 = if t1 > 2.0 { f32::INFINITY } else { t1 };
+            let (fast, slow) = (nearest(&world, &ray, 0.0, t1), nearest_brute(&world, &ray, 0.0, t1));
+            seen.class("hit", slow.is_some());
+            seen.class("miss", slow.is_none());
+            seen.class("front", slow.is_some_and(|hit| hit.is_front(&ray)));
+            seen.class("back", slow.is_some_and(|hit| !hit.is_front(&ray)));
+            seen.class("a bounded interval", t1.is_finite());
+            ensure(fast == slow, || format!("hierarchy {fast:?}, brute force {slow:?}"))?;
+            let (fast, slow) = (any_hit(&world, &ray, 0.0, t1), any_hit_brute(&world, &ray, 0.0, t1));
+            ensure(fast == slow, || format!("any hit: hierarchy {fast}, brute force {slow}"))
         });
 }
 
 #[test]
+fn equal_objects_in_one_place_give_the_first() {
+    Law::new("of equally near hits the lowest object wins").cases(200).demand("hit", 0.3).holds_for(
+        (strategy::affine(3.0), viewpoint()),
+        |(map, from), seen| {
+            let mesh = Arc::new(TracedMesh::new(shapes::icosphere(1).unwrap()));
+            let twin = || Object::new(Shape::Mesh(mesh.clone()), map, vec![Surface::default()]).unwrap();
+            let world = World::new(vec![twin(), twin(), twin()], Vec::new());
+            let hit =
+                nearest(&world, &Ray::through(from, map.transform_point3(Vec3::ZERO)), 0.0, f32::INFINITY);
+            seen.class("hit", hit.is_some());
+            ensure(hit.is_none_or(|hit| hit.object == 0), || format!("{hit:?}"))
+        },
+    );
+}
+
+#[test]
 fn smallest_t_wins() {
-    Law::new("no triangle is hit before the nearest hit")
-        .cases(300)
-        .demand("several", 0.2)
-        .holds_for(
-            (maps(), viewpoint(), strategy::point(3.0)),
-            |(maps, from, to), seen| {
-                let world = world_of(&maps);
-                let ray = Ray::through(from, to);
-                let Some(first) = nearest(&world, &ray, 0.0, f32::INFINITY) else {
-                    return Ok(());
-                };
-                let second = nearest(&world, &ray, first.t, f32::INFINITY);
-                seen.class("several", second.is_some());
-                // L47: t orders the points of a ray by their distance from the eye.
-                let farther = |t: f32| ray.at(t).distance(from) >= ray.at(first.t).distance(from);
-                ensure(second.is_none_or(|hit| hit.t > first.t && farther(hit.t)), || {
-                    format!("{first:?}, {second:?}")
-                })?;
-                // In (0, t of the nearest) there is nothing.
-                ensure(!any_hit_brute(&world, &ray, 0.0, first.t), || {
-                    format!("something is before {first:?}")
-                })
-            },
-        );
+    Law::new("no triangle is hit before the nearest hit").cases(300).demand("several", 0.2).holds_for(
+        (maps(), viewpoint(), strategy::point(3.0)),
+        |(maps, from, to), seen| {
+            let world = world_of(&maps);
+            let ray = Ray::through(from, to);
+            let Some(first) = nearest(&world, &ray, 0.0, f32::INFINITY) else {
+                return Ok(());
+            };
+            let second = nearest(&world, &ray, first.t, f32::INFINITY);
+            seen.class("several", second.is_some());
+            // L47: t orders the points of a ray by their distance from the eye.
+            let farther = |t: f32| ray.at(t).distance(from) >= ray.at(first.t).distance(from);
+            ensure(second.is_none_or(|hit| hit.t > first.t && farther(hit.t)), || {
+                format!("{first:?}, {second:?}")
+            })?;
+            // In (0, t of the nearest) there is nothing.
+            ensure(!any_hit_brute(&world, &ray, 0.0, first.t), || format!("something is before {first:?}"))
+        },
+    );
 }
 
 #[test]
@@ -323,11 +277,7 @@ fn a_viewing_ray_pierces_its_own_pixel() {
             ensure_close("depth of s", s.z, volume.near, 64.0 * EPS * 20.0)?;
             // A world point is known to 4 roundings of numbers up to 18 + 20·6, camera coordinates to 8 more; on the
             // screen 640 pixels are at least 0.5 wide, at depth 0.2 t.
-            let screen = pipeline
-                .trace(ray.at(t))
-                .screen
-                .expect("before the eye")
-                .truncate();
+            let screen = pipeline.trace(ray.at(t)).screen.expect("before the eye").truncate();
             let bound = 16.0 * EPS * (18.0 + 8.0 * t) * 640.0 / (0.5 * t) + 16.0 * EPS * 640.0 * 8.0;
             ensure_close("pixel", screen, glam::vec2(i, j), bound)
         },
@@ -348,19 +298,12 @@ fn snells_law_is_reversible() {
                 let share = optics::fresnel(-d.dot(n), ratio);
                 seen.class("refracted", behind.is_some());
                 seen.class("totally reflected", behind.is_none());
-                ensure((0.0..=1.0).contains(&share), || {
-                    format!("reflected share {share}")
-                })?;
+                ensure((0.0..=1.0).contains(&share), || format!("reflected share {share}"))?;
                 let Some(behind) = behind else {
                     return ensure_close("share", share, 1.0, 0.0);
                 };
                 let (sin_before, sin_behind) = (d.cross(n).length(), behind.cross(n).length());
-                ensure_close(
-                    "n₁ sin θ₁ = n₂ sin θ₂",
-                    ratio * sin_before,
-                    sin_behind,
-                    16.0 * EPS,
-                )?;
+                ensure_close("n₁ sin θ₁ = n₂ sin θ₂", ratio * sin_before, sin_behind, 16.0 * EPS)?;
                 // Near the critical angle the way back magnifies a rounding by 1/cos θ₂; below 0.01 it says nothing.
                 let cos_behind = -behind.dot(n);
                 if cos_behind < 0.01 || -d.dot(n) < 0.01 {
@@ -402,23 +345,15 @@ fn rays_that_are_no_rays_give_no_nan() {
     Law::new("hostile rays give no NaN, and the same hit both ways")
         .cases(4000)
         .demand("hit", 0.02)
-        .holds_for(
-            (vector(), vector(), number(), number()),
-            |(origin, direction, t0, t1), seen| {
-                let ray = Ray::new(origin, direction);
-                let (fast, slow) = (nearest(&world, &ray, t0, t1), nearest_brute(&world, &ray, t0, t1));
-                seen.class("hit", slow.is_some());
-                ensure(fast == slow, || {
-                    format!("hierarchy {fast:?}, brute force {slow:?}")
-                })?;
-                let Some(hit) = slow else { return Ok(()) };
-                let sound =
-                    hit.t.is_finite() && hit.normal.is_normalized() && hit.weights.to_vec3().is_finite();
-                ensure(sound && !hit.point.is_nan() && hit.clearance >= 0.0, || {
-                    format!("{hit:?}")
-                })?;
-                let slide = raytri(&ray, &Triangle::new(Vec3::X, Vec3::Y, Vec3::Z), t0, t1);
-                ensure(slide.is_none_or(|hit| hit.t.is_finite()), || format!("{slide:?}"))
-            },
-        );
+        .holds_for((vector(), vector(), number(), number()), |(origin, direction, t0, t1), seen| {
+            let ray = Ray::new(origin, direction);
+            let (fast, slow) = (nearest(&world, &ray, t0, t1), nearest_brute(&world, &ray, t0, t1));
+            seen.class("hit", slow.is_some());
+            ensure(fast == slow, || format!("hierarchy {fast:?}, brute force {slow:?}"))?;
+            let Some(hit) = slow else { return Ok(()) };
+            let sound = hit.t.is_finite() && hit.normal.is_normalized() && hit.weights.to_vec3().is_finite();
+            ensure(sound && !hit.point.is_nan() && hit.clearance >= 0.0, || format!("{hit:?}"))?;
+            let slide = raytri(&ray, &Triangle::new(Vec3::X, Vec3::Y, Vec3::Z), t0, t1);
+            ensure(slide.is_none_or(|hit| hit.t.is_finite()), || format!("{slide:?}"))
+        });
 }

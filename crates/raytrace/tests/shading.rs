@@ -20,50 +20,28 @@ fn corner_normals() -> [Vec3; 3] {
 }
 
 fn surface() -> Surface {
-    Surface::opaque(Material {
-        diffuse: Rgb::new(0.7, 0.4, 0.2),
-        specular: Rgb::splat(0.5),
-        exponent: 12.0,
-    })
+    Surface::opaque(Material { diffuse: Rgb::new(0.7, 0.4, 0.2), specular: Rgb::splat(0.5), exponent: 12.0 })
 }
 
 fn lamps() -> Vec<Light> {
     vec![
-        Light::Ambient {
-            color: Rgb::new(0.1, 0.2, 0.1),
-        },
-        Light::Point {
-            position: vec3(2.0, 3.0, 4.0),
-            color: Rgb::new(0.9, 0.8, 0.7),
-        },
+        Light::Ambient { color: Rgb::new(0.1, 0.2, 0.1) },
+        Light::Point { position: vec3(2.0, 3.0, 4.0), color: Rgb::new(0.9, 0.8, 0.7) },
     ]
 }
 
 /// One triangle with normals, its corners in the given order.
 fn triangle_world(interpolation: Interpolation, corner_order: [u32; 3]) -> World {
-    let normals = Indexed {
-        values: corner_normals().to_vec(),
-        triangles: vec![corner_order],
-    };
-    let mesh = Mesh::new(CORNERS.to_vec(), vec![corner_order])
-        .unwrap()
-        .with_normals(normals)
-        .unwrap();
+    let normals = Indexed { values: corner_normals().to_vec(), triangles: vec![corner_order] };
+    let mesh = Mesh::new(CORNERS.to_vec(), vec![corner_order]).unwrap().with_normals(normals).unwrap();
     let shape = Shape::Mesh(Arc::new(TracedMesh::new(mesh)));
-    let mut world = World::new(
-        vec![Object::new(shape, Mat4::IDENTITY, vec![surface()]).unwrap()],
-        lamps(),
-    );
+    let mut world = World::new(vec![Object::new(shape, Mat4::IDENTITY, vec![surface()]).unwrap()], lamps());
     world.interpolation = interpolation;
     world
 }
 
 fn model(p_world: Vec3, n: Vec3, eye: Vec3) -> Rgb {
-    let at = SurfacePoint {
-        p_world,
-        n,
-        to_eye: (eye - p_world).normalize(),
-    };
+    let at = SurfacePoint { p_world, n, to_eye: (eye - p_world).normalize() };
     lit(&surface().material, &lamps(), Highlight::Blinn, &at, |_| true)
 }
 
@@ -73,31 +51,17 @@ const MODEL: f32 = 1e-5;
 #[test]
 fn flat_gives_one_colour_a_triangle_gouraud_an_affine_one_and_phong_the_models_own() {
     let eye = vec3(0.5, 0.25, 8.0);
-    Law::new("each shading is what its slide says")
-        .cases(200)
-        .demand("apart", 0.3)
-        .holds_for(strategy::inside(0.01), |weights: Barycentric, seen| {
+    Law::new("each shading is what its slide says").cases(200).demand("apart", 0.3).holds_for(
+        strategy::inside(0.01),
+        |weights: Barycentric, seen| {
             let p = weights.interpolate(CORNERS[0], CORNERS[1], CORNERS[2]);
             let color = |interpolation| {
                 let world = triangle_world(interpolation, [0, 1, 2]);
-                ray_color(
-                    &world,
-                    &Ray::through(eye, p),
-                    0.0,
-                    f32::INFINITY,
-                    &Settings::default(),
-                )
+                ray_color(&world, &Ray::through(eye, p), 0.0, f32::INFINITY, &Settings::default())
             };
-            let face = (CORNERS[1] - CORNERS[0])
-                .cross(CORNERS[2] - CORNERS[0])
-                .normalize();
+            let face = (CORNERS[1] - CORNERS[0]).cross(CORNERS[2] - CORNERS[0]).normalize();
             let centroid = (CORNERS[0] + CORNERS[1] + CORNERS[2]) / 3.0;
-            ensure_close(
-                "flat",
-                color(Interpolation::Flat),
-                model(centroid, face, eye),
-                MODEL,
-            )?;
+            ensure_close("flat", color(Interpolation::Flat), model(centroid, face, eye), MODEL)?;
 
             let [n0, n1, n2] = corner_normals();
             let [c0, c1, c2] = [(0, n0), (1, n1), (2, n2)].map(|(k, n)| model(CORNERS[k], n, eye));
@@ -108,7 +72,8 @@ fn flat_gives_one_colour_a_triangle_gouraud_an_affine_one_and_phong_the_models_o
             ensure_close("Phong", color(Interpolation::Phong), phong, MODEL)?;
             seen.class("apart", phong.distance(gouraud) > 0.02);
             Ok(())
-        });
+        },
+    );
 }
 
 #[test]
@@ -126,13 +91,7 @@ fn a_triangle_that_shows_its_back_has_all_its_normals_negated() {
     // Without normals the face's own is turned to the eye, and both orders look alike.
     let flat = [[0, 1, 2], [0, 2, 1]].map(|order| {
         let world = triangle_world(Interpolation::Flat, order);
-        ray_color(
-            &world,
-            &Ray::through(eye, Vec3::ZERO),
-            0.0,
-            f32::INFINITY,
-            &Settings::default(),
-        )
+        ray_color(&world, &Ray::through(eye, Vec3::ZERO), 0.0, f32::INFINITY, &Settings::default())
     });
     assert_close("flat", flat[0], flat[1], MODEL);
     assert!(flat[0].x > 0.2);
@@ -144,22 +103,14 @@ fn a_mirroring_transform_keeps_fronts_in_front() {
     let mirror = Mat4::from_scale(vec3(-1.5, 1.0, 0.7));
     let traced = |mesh| Shape::Mesh(Arc::new(TracedMesh::new(mesh)));
     let instance = Object::new(traced(mesh.clone()), mirror, vec![surface()]).unwrap();
-    let moved = Object::new(
-        traced(mesh.transformed(&mirror).unwrap()),
-        Mat4::IDENTITY,
-        vec![surface()],
-    )
-    .unwrap();
+    let moved =
+        Object::new(traced(mesh.transformed(&mirror).unwrap()), Mat4::IDENTITY, vec![surface()]).unwrap();
     let ray = Ray::through(vec3(1.0, 2.0, 5.0), vec3(0.3, 0.1, 0.2));
     let [a, b] = [instance, moved].map(|object| {
         let world = World::new(vec![object], lamps());
         let hit = nearest(&world, &ray, 0.0, f32::INFINITY).unwrap();
         assert!(hit.is_front(&ray));
-        (
-            hit,
-            world.shading_normal(&hit),
-            local_color(&world, &ray, 0.0, f32::INFINITY),
-        )
+        (hit, world.shading_normal(&hit), local_color(&world, &ray, 0.0, f32::INFINITY))
     });
     assert_close("t", a.0.t, b.0.t, 1e-6);
     assert_close("normal", a.1, b.1, 1e-5);
@@ -173,38 +124,26 @@ fn without_mirrors_and_glass_the_recursive_colour_is_the_slides() {
     let objects = [Shape::Mesh(mesh), floor]
         .map(|shape| Object::new(shape, Mat4::from_rotation_x(0.4), vec![surface()]));
     let mut lights = lamps();
-    lights.push(Light::Directional {
-        to_light: vec3(0.48, 0.6, 0.64),
-        color: Rgb::new(0.3, 0.2, 0.5),
-    });
+    lights.push(Light::Directional { to_light: vec3(0.48, 0.6, 0.64), color: Rgb::new(0.3, 0.2, 0.5) });
     let world = World::new(objects.map(Result::unwrap).to_vec(), lights);
     Law::new("ray_color is local_color where nothing mirrors")
         .demand("lit", 0.3)
         .demand("hit", 0.5)
-        .holds_for(
-            (strategy::point(6.0), strategy::point(1.5)),
-            |(from, to), seen| {
-                let ray = Ray::through(from, to);
-                let slide = local_color(&world, &ray, 0.0, f32::INFINITY);
-                let ours = ray_color(&world, &ray, 0.0, f32::INFINITY, &Settings::default());
-                seen.class("hit", slide != world.background);
-                seen.class("lit", slide.max_element() > 0.2);
-                // The same sum in another order.
-                ensure_close("colour", ours, slide, 16.0 * f32::EPSILON * slide.max_element())
-            },
-        );
+        .holds_for((strategy::point(6.0), strategy::point(1.5)), |(from, to), seen| {
+            let ray = Ray::through(from, to);
+            let slide = local_color(&world, &ray, 0.0, f32::INFINITY);
+            let ours = ray_color(&world, &ray, 0.0, f32::INFINITY, &Settings::default());
+            seen.class("hit", slide != world.background);
+            seen.class("lit", slide.max_element() > 0.2);
+            // The same sum in another order.
+            ensure_close("colour", ours, slide, 16.0 * f32::EPSILON * slide.max_element())
+        });
 }
 
 /// A black object of the given optics in a world of even light: only what mirrors and glass do is left.
 fn even_world(shape: Shape, optics: Optics) -> World {
-    let black = Surface {
-        material: Material::matt(Rgb::ZERO),
-        optics,
-    };
-    let mut world = World::new(
-        vec![Object::new(shape, Mat4::IDENTITY, vec![black]).unwrap()],
-        lamps(),
-    );
+    let black = Surface { material: Material::matt(Rgb::ZERO), optics };
+    let mut world = World::new(vec![Object::new(shape, Mat4::IDENTITY, vec![black]).unwrap()], lamps());
     world.background = Rgb::new(0.2, 0.5, 0.8);
     world
 }
@@ -213,18 +152,12 @@ fn even_world(shape: Shape, optics: Optics) -> World {
 fn a_clear_ball_in_even_light_is_invisible() {
     // What Fresnel reflects and what passes add up to all (L24): in a white furnace the ball vanishes, but for the rays
     // that max_depth cuts off, and those see the same background.
-    let glass = Optics::Glass {
-        refractive_index: 1.5,
-        transmittance: Rgb::ONE,
-    };
+    let glass = Optics::Glass { refractive_index: 1.5, transmittance: Rgb::ONE };
     let ball = Shape::Sphere(Sphere::new(vec3(0.2, 0.1, -0.3), 1.0));
     let mesh = Shape::Mesh(Arc::new(TracedMesh::new(shapes::icosphere(3).unwrap())));
     for world in [even_world(ball, glass), even_world(mesh, glass)] {
         for max_depth in [0, 1, 5] {
-            let settings = Settings {
-                max_depth,
-                ..Settings::default()
-            };
+            let settings = Settings { max_depth, ..Settings::default() };
             for k in 0..200 {
                 let ray = Ray::through(
                     vec3(1.0, 2.0, 5.0),
@@ -243,51 +176,29 @@ fn a_tinted_ball_tints_once_a_surface() {
     // Index 1: nothing is bent and nothing reflected.
     let world = even_world(
         Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0)),
-        Optics::Glass {
-            refractive_index: 1.0,
-            transmittance: tint,
-        },
+        Optics::Glass { refractive_index: 1.0, transmittance: tint },
     );
     let ray = Ray::through(vec3(1.0, 2.0, 5.0), Vec3::ZERO);
     let color = ray_color(&world, &ray, 0.0, f32::INFINITY, &Settings::default());
-    assert_close(
-        "twice the tint",
-        color,
-        tint * tint * world.background,
-        8.0 * f32::EPSILON,
-    );
+    assert_close("twice the tint", color, tint * tint * world.background, 8.0 * f32::EPSILON);
 }
 
 #[test]
 fn two_mirrors_face_to_face_reflect_as_often_as_max_depth_allows() {
     let mirror = Surface {
         material: Material::matt(Rgb::ZERO),
-        optics: Optics::Mirror {
-            reflectance: Rgb::splat(0.5),
-        },
+        optics: Optics::Mirror { reflectance: Rgb::splat(0.5) },
     };
     let wall = |z: f32| {
-        Object::new(
-            Shape::Plane(Plane::new(vec3(0.0, 0.0, z), Vec3::Z)),
-            Mat4::IDENTITY,
-            vec![mirror],
-        )
-        .unwrap()
+        Object::new(Shape::Plane(Plane::new(vec3(0.0, 0.0, z), Vec3::Z)), Mat4::IDENTITY, vec![mirror])
+            .unwrap()
     };
     let mut world = World::new(vec![wall(-2.0), wall(3.0)], Vec::new());
     world.background = Rgb::ONE;
     for max_depth in [0, 1, 2, 10] {
-        let settings = Settings {
-            max_depth,
-            ..Settings::default()
-        };
-        let color = ray_color(
-            &world,
-            &Ray::new(Vec3::ZERO, vec3(0.1, 0.0, 1.0)),
-            0.0,
-            f32::INFINITY,
-            &settings,
-        );
+        let settings = Settings { max_depth, ..Settings::default() };
+        let color =
+            ray_color(&world, &Ray::new(Vec3::ZERO, vec3(0.1, 0.0, 1.0)), 0.0, f32::INFINITY, &settings);
         // Each mirror halves, and the last ray, which may not go on, sees the background.
         assert_eq!(color, Rgb::splat(0.5_f32.powi(max_depth as i32 + 1)));
     }
@@ -297,9 +208,7 @@ fn two_mirrors_face_to_face_reflect_as_often_as_max_depth_allows() {
 fn a_mirror_shows_what_is_before_it() {
     let mirror = Surface {
         material: Material::matt(Rgb::ZERO),
-        optics: Optics::Mirror {
-            reflectance: Rgb::new(1.0, 0.5, 0.25),
-        },
+        optics: Optics::Mirror { reflectance: Rgb::new(1.0, 0.5, 0.25) },
     };
     let wall = Shape::Plane(Plane::new(vec3(0.0, 0.0, -2.0), Vec3::Z));
     let lamp = Surface::opaque(Material::matt(Rgb::new(0.8, 0.6, 0.4)));
@@ -314,20 +223,13 @@ fn a_mirror_shows_what_is_before_it() {
     // Down to the wall at (2, 0, −2) and up again to the ball.
     let ray = Ray::new(Vec3::ZERO, vec3(1.0, 0.0, -1.0));
     let color = ray_color(&world, &ray, 0.0, f32::INFINITY, &Settings::default());
-    assert_close(
-        "the ball, by way of the mirror",
-        color,
-        Rgb::new(0.8, 0.3, 0.1),
-        8.0 * f32::EPSILON,
-    );
+    assert_close("the ball, by way of the mirror", color, Rgb::new(0.8, 0.3, 0.1), 8.0 * f32::EPSILON);
 }
 
 #[test]
 fn materials_beyond_the_list_are_the_last_surface() {
-    let mesh = Mesh::new(CORNERS.to_vec(), vec![[0, 1, 2], [0, 2, 1]])
-        .unwrap()
-        .with_materials(vec![1, 7])
-        .unwrap();
+    let mesh =
+        Mesh::new(CORNERS.to_vec(), vec![[0, 1, 2], [0, 2, 1]]).unwrap().with_materials(vec![1, 7]).unwrap();
     let last = Surface::opaque(Material::matt(Rgb::X));
     let shape = Shape::Mesh(Arc::new(TracedMesh::new(mesh)));
     let object = Object::new(shape, Mat4::IDENTITY, vec![surface(), last]).unwrap();
@@ -338,25 +240,16 @@ fn materials_beyond_the_list_are_the_last_surface() {
 fn colours_are_never_nan() {
     let number = || prop_oneof![Just(0.0_f32), Just(1e30), Just(-1e18), Just(1e-20), -2.0_f32..2.0];
     let vector = || (number(), number(), number()).prop_map(Vec3::from);
-    let glass = Optics::Glass {
-        refractive_index: 1.5,
-        transmittance: Rgb::ONE,
-    };
-    let mut world = even_world(
-        Shape::Mesh(Arc::new(TracedMesh::new(shapes::icosphere(1).unwrap()))),
-        glass,
-    );
-    world.lights.push(Light::Point {
-        position: Vec3::ZERO,
-        color: Rgb::ONE,
-    });
-    Law::new("no colour is NaN")
-        .cases(3000)
-        .demand("hit", 0.05)
-        .holds_for((vector(), vector()), |(from, to), seen| {
+    let glass = Optics::Glass { refractive_index: 1.5, transmittance: Rgb::ONE };
+    let mut world = even_world(Shape::Mesh(Arc::new(TracedMesh::new(shapes::icosphere(1).unwrap()))), glass);
+    world.lights.push(Light::Point { position: Vec3::ZERO, color: Rgb::ONE });
+    Law::new("no colour is NaN").cases(3000).demand("hit", 0.05).holds_for(
+        (vector(), vector()),
+        |(from, to), seen| {
             let ray = Ray::through(from, to);
             let color = ray_color(&world, &ray, 0.0, f32::INFINITY, &Settings::default());
             seen.class("hit", nearest(&world, &ray, 0.0, f32::INFINITY).is_some());
             testkit::ensure(color.is_finite(), || format!("{color}"))
-        });
+        },
+    );
 }

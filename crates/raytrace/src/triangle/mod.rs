@@ -59,17 +59,14 @@ pub fn raytri(ray: &Ray, triangle: &Triangle, t0: f32, t1: f32) -> Option<Triang
         return None;
     }
     let gamma = to_b.dot(to_e.cross(d)) / determinant;
-    if !(0.0 <= gamma && gamma <= 1.0) {
+    if !(0.0..=1.0).contains(&gamma) {
         return None;
     }
     let beta = to_e.dot(to_c.cross(d)) / determinant;
     if !(0.0 <= beta && beta <= 1.0 - gamma) {
         return None;
     }
-    Some(TriangleHit {
-        t,
-        weights: Barycentric::from_beta_gamma(beta, gamma),
-    })
+    Some(TriangleHit { t, weights: Barycentric::from_beta_gamma(beta, gamma) })
 }
 
 #[cfg(test)]
@@ -102,21 +99,11 @@ mod tests {
         // L54: α = β = γ = 1/3, t = 2/3, at (1/3, 1/3, 1/3). A few roundings of numbers of size 1.
         let ray = Ray::new(Vec3::ONE, Vec3::NEG_ONE);
         let triangle = Triangle::new(Vec3::X, Vec3::Y, Vec3::Z);
-        for hit in [
-            raytri(&ray, &triangle, 0.0, 1.0),
-            watertight(&ray, &triangle, 0.0, 1.0),
-        ] {
+        for hit in [raytri(&ray, &triangle, 0.0, 1.0), watertight(&ray, &triangle, 0.0, 1.0)] {
             let hit = hit.unwrap();
-            assert!(
-                hit.weights
-                    .to_vec3()
-                    .abs_diff_eq(Vec3::splat(1.0 / 3.0), 4.0 * f32::EPSILON)
-            );
+            assert!(hit.weights.to_vec3().abs_diff_eq(Vec3::splat(1.0 / 3.0), 4.0 * f32::EPSILON));
             assert!((hit.t - 2.0 / 3.0).abs() < 4.0 * f32::EPSILON);
-            assert!(
-                ray.at(hit.t)
-                    .abs_diff_eq(Vec3::splat(1.0 / 3.0), 8.0 * f32::EPSILON)
-            );
+            assert!(ray.at(hit.t).abs_diff_eq(Vec3::splat(1.0 / 3.0), 8.0 * f32::EPSILON));
         }
     }
 
@@ -140,9 +127,6 @@ mod tests {
         let strict = |triangle: &Triangle| cramer(&system(&ray, triangle)).unwrap().weights().is_inside();
         assert_eq!(count(&strict), 0);
         assert_eq!(count(&|triangle| raytri(&ray, triangle, 0.0, 9.0).is_some()), 2);
-        assert_eq!(
-            count(&|triangle| watertight(&ray, triangle, 0.0, 9.0).is_some()),
-            1
-        );
+        assert_eq!(count(&|triangle| watertight(&ray, triangle, 0.0, 9.0).is_some()), 1);
     }
 }

@@ -31,11 +31,7 @@ impl Solution {
     }
 
     fn from_vec3(x: Vec3) -> Self {
-        Self {
-            beta: x.x,
-            gamma: x.y,
-            t: x.z,
-        }
+        Self { beta: x.x, gamma: x.y, t: x.z }
     }
 }
 
@@ -68,21 +64,13 @@ pub fn system(ray: &Ray, triangle: &Triangle) -> System {
 /// By Cramer's rule: each unknown is det(A with its column replaced by b) / det A (L51). `None` if parallel (E11).
 #[must_use]
 pub fn cramer(system: &System) -> Option<Solution> {
-    let Mat3 {
-        x_axis: p,
-        y_axis: q,
-        z_axis: d,
-    } = system.matrix;
+    let Mat3 { x_axis: p, y_axis: q, z_axis: d } = system.matrix;
     let r = system.rhs;
     let determinant = system.matrix.determinant();
     if is_parallel(determinant, [p, q, d]) {
         return None;
     }
-    let replaced = [
-        Mat3::from_cols(r, q, d),
-        Mat3::from_cols(p, r, d),
-        Mat3::from_cols(p, q, r),
-    ];
+    let replaced = [Mat3::from_cols(r, q, d), Mat3::from_cols(p, r, d), Mat3::from_cols(p, q, r)];
     let [beta, gamma, t] = replaced.map(|matrix| matrix.determinant() / determinant);
     Some(Solution { beta, gamma, t })
 }
@@ -90,11 +78,7 @@ pub fn cramer(system: &System) -> Option<Solution> {
 /// By the inverse: x = A⁻¹·b (L51). `None` if parallel (E11).
 #[must_use]
 pub fn inverse(system: &System) -> Option<Solution> {
-    let Mat3 {
-        x_axis: p,
-        y_axis: q,
-        z_axis: d,
-    } = system.matrix;
+    let Mat3 { x_axis: p, y_axis: q, z_axis: d } = system.matrix;
     if is_parallel(system.matrix.determinant(), [p, q, d]) {
         return None;
     }
@@ -153,15 +137,8 @@ mod tests {
     fn all_three_find_whole_numbers_exactly() {
         // β = 2, γ = −1, t = 3 put into the left-hand side by hand.
         let matrix = Mat3::from_cols(vec3(1.0, 2.0, 0.0), vec3(4.0, -1.0, 3.0), vec3(2.0, 0.0, 1.0));
-        let system = System {
-            matrix,
-            rhs: vec3(4.0, 5.0, 0.0),
-        };
-        let want = Solution {
-            beta: 2.0,
-            gamma: -1.0,
-            t: 3.0,
-        };
+        let system = System { matrix, rhs: vec3(4.0, 5.0, 0.0) };
+        let want = Solution { beta: 2.0, gamma: -1.0, t: 3.0 };
         for solve in [cramer, inverse, elimination] {
             let got = solve(&system).unwrap();
             for (got, want) in [(got.beta, want.beta), (got.gamma, want.gamma), (got.t, want.t)] {
@@ -177,10 +154,7 @@ mod tests {
         for (ray, triangle) in [
             (Ray::new(vec3(1.0, 1.0, 7.0), vec3(0.3, 0.7, 0.0)), triangle),
             (Ray::new(vec3(1.0, 1.0, 7.0), vec3(0.3, 0.7, -1.0)), needle),
-            (
-                Ray::new(vec3(1.0, 1.0, f32::NAN), vec3(0.3, f32::NAN, -1.0)),
-                triangle,
-            ),
+            (Ray::new(vec3(1.0, 1.0, f32::NAN), vec3(0.3, f32::NAN, -1.0)), triangle),
         ] {
             for solve in [cramer, inverse, elimination] {
                 assert_eq!(solve(&system(&ray, &triangle)), None);
@@ -192,11 +166,7 @@ mod tests {
     fn elimination_needs_its_pivoting() {
         // The first pivot would be 0 without an exchange of rows.
         let matrix = Mat3::from_cols(vec3(0.0, 2.0, 1.0), vec3(3.0, 0.0, 1.0), vec3(1.0, 1.0, 0.0));
-        let got = elimination(&System {
-            matrix,
-            rhs: vec3(9.0, 5.0, 3.0),
-        })
-        .unwrap();
+        let got = elimination(&System { matrix, rhs: vec3(9.0, 5.0, 3.0) }).unwrap();
         for (got, want) in [(got.beta, 1.0), (got.gamma, 2.0), (got.t, 3.0)] {
             assert!((got - want).abs() < 1e-6, "{got} is not {want}");
         }

@@ -58,12 +58,7 @@ impl ShearedRay {
         let z = ray.direction.abs().max_position();
         let (x, y) = ((z + 1) % 3, (z + 2) % 3);
         let shear = DVec2::new(direction[x], direction[y]) / direction[z];
-        Self {
-            origin: ray.origin.to_array(),
-            direction,
-            axes: [x, y, z],
-            shear,
-        }
+        Self { origin: ray.origin.to_array(), direction, axes: [x, y, z], shear }
     }
 
     /// The hit on the whole line, −∞ < t < ∞.
@@ -80,14 +75,9 @@ impl ShearedRay {
         // All of one sign and not all 0: nothing cancels.
         let whole = areas[0] + areas[1] + areas[2];
         let [alpha, beta, gamma] = areas.map(|area| area / whole);
-        let t = self.within_box(
-            corners,
-            (alpha * a.1 + beta * b.1 + gamma * c.1) / self.direction[self.axes[2]],
-        );
-        Some(TriangleHit {
-            t: t as f32,
-            weights: Barycentric::from_beta_gamma(beta as f32, gamma as f32),
-        })
+        let t =
+            self.within_box(corners, (alpha * a.1 + beta * b.1 + gamma * c.1) / self.direction[self.axes[2]]);
+        Some(TriangleHit { t: t as f32, weights: Barycentric::from_beta_gamma(beta as f32, gamma as f32) })
     }
 
     /// The corner relative to the ray's origin: its place in the plane across the ray, and its z along the ray.
@@ -136,11 +126,7 @@ fn holds_shifted_origin([a, b, c]: [DVec2; 3], areas: [f64; 3]) -> bool {
     let signs: [i8; 3] = std::array::from_fn(|k| {
         let (p, q) = edges[k];
         // (p − s) × (q − s) with s = (ε, ε²) is p × q − ε (q.y − p.y) + ε² (q.x − p.x): the first term not 0 decides.
-        [areas[k], p.y - q.y, q.x - p.x]
-            .iter()
-            .map(|term| sign(*term))
-            .find(|sign| *sign != 0)
-            .unwrap_or(0)
+        [areas[k], p.y - q.y, q.x - p.x].iter().map(|term| sign(*term)).find(|sign| *sign != 0).unwrap_or(0)
     });
     signs[0] != 0 && signs[0] == signs[1] && signs[1] == signs[2]
 }
@@ -193,10 +179,7 @@ mod tests {
             Ray::new(Vec3::splat(f32::NAN), Vec3::NEG_Z),
             Ray::new(vec3(0.2, 0.2, 1.0), vec3(0.0, f32::INFINITY, -1.0)),
         ] {
-            assert_eq!(
-                watertight(&ray, &triangle, f32::NEG_INFINITY, f32::INFINITY),
-                None
-            );
+            assert_eq!(watertight(&ray, &triangle, f32::NEG_INFINITY, f32::INFINITY), None);
         }
     }
 }
