@@ -172,10 +172,7 @@ fn named<T: Named + Send + Sync>() -> impl TypedValueParser<Value = T> {
 /// A whole number from `least` to `greatest`.
 fn whole(least: u32, greatest: u32) -> impl TypedValueParser<Value = u32> {
     NonEmptyStringValueParser::new().try_map(move |text| {
-        let number = text
-            .parse()
-            .ok()
-            .filter(|number| (least..=greatest).contains(number));
+        let number = text.parse().ok().filter(|number| (least..=greatest).contains(number));
         number.ok_or_else(|| format!("expected a whole number from {least} to {greatest}"))
     })
 }
@@ -189,10 +186,7 @@ fn size(text: &str) -> Result<(u32, u32), String> {
         // A number of more digits than fit is too large, whatever it is.
         decimal.then(|| digits.parse().unwrap_or(u32::MAX))
     };
-    let size = (
-        whole(width).ok_or_else(expected)?,
-        whole(height).ok_or_else(expected)?,
-    );
+    let size = (whole(width).ok_or_else(expected)?, whole(height).ok_or_else(expected)?);
     if size.0 == 0 || size.1 == 0 {
         return Err("width and height must be at least 1 pixel".to_owned());
     }
@@ -205,10 +199,7 @@ fn size(text: &str) -> Result<(u32, u32), String> {
 /// A number or a fraction, `0.004` or `1/255`, from 0 to 1.
 fn tolerance(text: &str) -> Result<f32, String> {
     let (above, below) = text.split_once('/').unwrap_or((text, "1"));
-    let value = above
-        .trim()
-        .parse::<f32>()
-        .and_then(|above| Ok(above / below.trim().parse::<f32>()?));
+    let value = above.trim().parse::<f32>().and_then(|above| Ok(above / below.trim().parse::<f32>()?));
     value
         .ok()
         .filter(|value| (0.0..=1.0).contains(value))
@@ -257,9 +248,7 @@ mod tests {
     fn a_tolerance_is_a_number_or_a_fraction() {
         assert_eq!(tolerance("0.25"), Ok(0.25));
         assert_eq!(tolerance("3/255"), Ok(3.0 / 255.0));
-        for wrong in [
-            "", "x", "-0.1", "1.1", "NaN", "inf", "1/0", "0/0", "1/", "/2", "1/2/3", "7/3",
-        ] {
+        for wrong in ["", "x", "-0.1", "1.1", "NaN", "inf", "1/0", "0/0", "1/", "/2", "1/2/3", "7/3"] {
             assert!(tolerance(wrong).is_err(), "{wrong}");
         }
     }

@@ -37,11 +37,7 @@ pub(crate) fn run(asked: &CompareArgs) -> Result<Outcome, Failure> {
     let (a, b) = (read(&asked.a)?, read(&asked.b)?);
 
     // With no tolerance any difference counts, be it a rounding.
-    let threshold = if asked.tolerance > 0.0 {
-        asked.tolerance + ROUNDING
-    } else {
-        0.0
-    };
+    let threshold = if asked.tolerance > 0.0 { asked.tolerance + ROUNDING } else { 0.0 };
     let found = match difference(&a, &b, threshold) {
         Ok(found) => found,
         Err(mismatch) => {
@@ -55,16 +51,9 @@ pub(crate) fn run(asked: &CompareArgs) -> Result<Outcome, Failure> {
     say(&report(asked, &a, &found))?;
     if let Some(target) = target {
         target.write(&side_by_side(&[&a, &b, &found.heat_map()], GAP, GAP_COLOR))?;
-        say(&format!(
-            "wrote {}: A, B and their difference",
-            target.named().display()
-        ))?;
+        say(&format!("wrote {}: A, B and their difference", target.named().display()))?;
     }
-    Ok(if found.over_threshold == 0 {
-        Outcome::Done
-    } else {
-        Outcome::Differs
-    })
+    Ok(if found.over_threshold == 0 { Outcome::Done } else { Outcome::Differs })
 }
 
 fn read(path: &Path) -> Result<Image, Failure> {
@@ -88,10 +77,7 @@ fn report(asked: &CompareArgs, image: &Image, found: &Difference) -> String {
         return format!("same: none of {pixels} pixels differs between {a} and {b}");
     };
     let verdict = match found.over_threshold {
-        0 => format!(
-            "same: none of {pixels} pixels differs by more than {}",
-            asked.tolerance
-        ),
+        0 => format!("same: none of {pixels} pixels differs by more than {}", asked.tolerance),
         count => format!(
             "different: {count} of {pixels} pixels ({:.2} %) differ by more than {}",
             100.0 * count as f64 / pixels as f64,

@@ -17,18 +17,12 @@ pub(crate) struct Failure {
 
 impl Failure {
     pub(crate) fn new(problem: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Self {
-            problem: problem.into(),
-            remedy: remedy.into(),
-        }
+        Self { problem: problem.into(), remedy: remedy.into() }
     }
 
     /// A file or folder that the system refuses to give or take.
     pub(crate) fn io(doing: &str, path: &Path, error: &io::Error, remedy: impl Into<String>) -> Self {
-        Self::new(
-            format!("cannot {doing} {}: {}", path.display(), reason(error)),
-            remedy,
-        )
+        Self::new(format!("cannot {doing} {}: {}", path.display(), reason(error)), remedy)
     }
 
     /// A picture file that cannot be decoded.
@@ -105,9 +99,6 @@ mod tests {
             problem: "unknown key `colour`".to_owned(),
             remedy: "write `color`".to_owned(),
         };
-        assert_eq!(
-            Failure::from(error),
-            Failure::new("a/b.toml:7:3: unknown key `colour`", "write `color`")
-        );
+        assert_eq!(Failure::from(error), Failure::new("a/b.toml:7:3: unknown key `colour`", "write `color`"));
     }
 }

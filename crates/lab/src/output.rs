@@ -41,12 +41,7 @@ impl Target {
         // The surest way to know whether a folder takes a file is to make one. It goes again at once: one that stayed
         // while the picture is rendered would stay for good if the program were killed meanwhile.
         Unfinished::beside(&file).map_err(|error| no_new_file(named, &error))?;
-        Ok(Self {
-            named: named.to_owned(),
-            file,
-            format,
-            older,
-        })
+        Ok(Self { named: named.to_owned(), file, format, older })
     }
 
     /// The file as the user named it.
@@ -113,10 +108,9 @@ fn beyond_links(named: &Path) -> Result<PathBuf, Failure> {
     fs::canonicalize(named).map_err(|error| {
         let remedy = "remove the link, or choose another name with -o";
         match error.kind() {
-            io::ErrorKind::NotFound => Failure::new(
-                format!("{} is a symbolic link to nothing", named.display()),
-                remedy,
-            ),
+            io::ErrorKind::NotFound => {
+                Failure::new(format!("{} is a symbolic link to nothing", named.display()), remedy)
+            }
             _ => Failure::io("follow the symbolic link", named, &error, remedy),
         }
     })
@@ -138,10 +132,7 @@ fn replaceable(file: &Path, named: &Path) -> Result<Option<Permissions>, Failure
     if there.permissions().readonly() {
         return Err(Failure::new(
             format!("{} is read-only", named.display()),
-            format!(
-                "allow it with `chmod u+w {}`, or choose another name with -o",
-                named.display()
-            ),
+            format!("allow it with `chmod u+w {}`, or choose another name with -o", named.display()),
         ));
     }
     Ok(Some(there.permissions()))
@@ -149,10 +140,7 @@ fn replaceable(file: &Path, named: &Path) -> Result<Option<Permissions>, Failure
 
 /// Why no file can be made where `named` should be.
 fn no_new_file(named: &Path, error: &io::Error) -> Failure {
-    let folder = named
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
+    let folder = named.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let (file, folder_name) = (named.display(), folder.display());
     if !folder.exists() && error.kind() == io::ErrorKind::NotFound {
         return Failure::new(
@@ -160,12 +148,7 @@ fn no_new_file(named: &Path, error: &io::Error) -> Failure {
             format!("make it with `mkdir -p {folder_name}`, or choose another one with -o"),
         );
     }
-    Failure::io(
-        "write",
-        named,
-        error,
-        "choose another name, in a folder where you may write, with -o",
-    )
+    Failure::io("write", named, error, "choose another name, in a folder where you may write, with -o")
 }
 
 /// What helps when the bytes do not get onto the disk.

@@ -89,9 +89,6 @@ mod tests {
         let begin = Instant::now();
         let time = Progress::start("work").finish();
         assert!(time <= begin.elapsed());
-        assert!(
-            begin.elapsed() < PATIENCE,
-            "the end of the work wakes the waiting thread"
-        );
+        assert!(begin.elapsed() < PATIENCE, "the end of the work wakes the waiting thread");
     }
 }

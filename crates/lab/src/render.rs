@@ -134,10 +134,7 @@ fn with_threads<T: Send>(threads: Option<u32>, work: impl FnOnce() -> T + Send) 
         pool = pool.num_threads(threads as usize);
     }
     let pool = pool.build().map_err(|error| {
-        Failure::new(
-            format!("cannot start the threads: {error}"),
-            "ask for fewer --threads",
-        )
+        Failure::new(format!("cannot start the threads: {error}"), "ask for fewer --threads")
     })?;
     Ok(pool.install(work))
 }
@@ -147,18 +144,9 @@ fn draw_all(loaded: &Loaded, settings: &Settings, renderers: &[Renderer]) -> Res
     let prepared = scene::prepare(loaded)?;
     let mut pictures = Vec::new();
     for &renderer in renderers {
-        let (rendered, time) = draw(
-            &prepared,
-            &Settings {
-                renderer,
-                ..*settings
-            },
-        )?;
+        let (rendered, time) = draw(&prepared, &Settings { renderer, ..*settings })?;
         let (width, height) = settings.size;
-        say(&format!(
-            "{renderer:10}{width} × {height} pixels in {}",
-            readable(time)
-        ))?;
+        say(&format!("{renderer:10}{width} × {height} pixels in {}", readable(time)))?;
         for note in &rendered.notes {
             // The line above says whose note it is.
             let note = note.strip_prefix(&format!("{renderer}: ")).unwrap_or(note);

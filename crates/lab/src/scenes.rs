@@ -20,11 +20,7 @@ pub(crate) fn run(asked: &ScenesArgs) -> Result<Outcome, Failure> {
 
 /// The names in one column, what they show in the next.
 fn list() -> Result<(), Failure> {
-    let longest = builtin::all()
-        .iter()
-        .map(|scene| scene.name.len())
-        .max()
-        .unwrap_or(0);
+    let longest = builtin::all().iter().map(|scene| scene.name.len()).max().unwrap_or(0);
     for (place, scene) in builtin::all().iter().enumerate() {
         let default = if place == 0 { " (the default)" } else { "" };
         say(&format!("{:longest$}  {}{default}", scene.name, scene.summary))?;

@@ -99,3 +99,70 @@ fn lock() -> MutexGuard<'static, Option<PathBuf>> {
     // A panic elsewhere leaves the path as true as it was.
     CURRENT.lock().unwrap_or_else(PoisonError::into_inner)
 }
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::sync::mpsc;
+    use std::time::Duration;
+
+    use super::*;
+
+    /// There is one temporary file at a time, so these tests take turns.
+    static TURN: Mutex<()> = Mutex::new(());
+
+    fn names(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).unwrap();
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+    }
+
+    #[test]
+    fn a_finished_file_replaces_the_older_one() {
+        let _turn = TURN.lock();
+        let folder = tempfile::tempdir().unwrap();
+        let target = folder.path().join("a.png");
+        fs::write(&target, "old").unwrap();
+        let unfinished = Unfinished::beside(&target).unwrap();
+        assert_eq!(names(folder.path()).len(), 2);
+        unfinished.finish(b"new", None, &target).unwrap();
+        assert_eq!(names(folder.path()), ["a.png"]);
+        assert_eq!(fs::read(&target).unwrap(), b"new");
+        assert_eq!(*lock(), None);
+    }
+
+    #[test]
+    fn a_file_that_cannot_be_finished_or_is_not_goes() {
+        let _turn = TURN.lock();
+        let folder = tempfile::tempdir().unwrap();
+        let target = folder.path().join("folder");
+        fs::create_dir(&target).unwrap();
+        let unfinished = Unfinished::beside(&target).unwrap();
+        assert!(unfinished.finish(b"new", None, &target).is_err(), "a folder is in the way");
+        drop(Unfinished::beside(&target).unwrap());
+        assert_eq!(names(folder.path()), ["folder"]);
+        assert_eq!(*lock(), None);
+    }
+
+    #[test]
+    fn after_the_signal_the_file_is_gone_and_no_other_is_made() {
+        let _turn = TURN.lock();
+        let folder = tempfile::tempdir().unwrap();
+        let target = folder.path().join("a.png");
+        let unfinished = Unfinished::beside(&target).unwrap();
+        let no_new_file = abandon();
+        assert!(names(folder.path()).is_empty());
+
+        let (made, wait) = mpsc::channel();
+        let other = target.clone();
+        let making = std::thread::spawn(move || made.send(Unfinished::beside(&other).is_ok()));
+        assert!(wait.recv_timeout(Duration::from_millis(50)).is_err(), "made a file after the signal");
+        assert!(names(folder.path()).is_empty());
+
+        // The program would have ended here; the test goes on, so that nobody waits for ever.
+        drop(no_new_file);
+        assert_eq!(wait.recv(), Ok(true));
+        making.join().unwrap().unwrap();
+        drop(unfinished);
+        assert!(names(folder.path()).is_empty());
+    }
+}

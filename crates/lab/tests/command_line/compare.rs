@@ -15,10 +15,7 @@ fn desk() -> Desk {
     let c = Image::from_fn(6, 5, |i, j| if i < 3 { Rgb::ZERO } else { a.get(i, j) });
     let wide = Image::new(7, 5, Rgb::X);
     for (name, image) in [("a", &a), ("b", &b), ("c", &c), ("wide", &wide)] {
-        desk.put(
-            &format!("{name}.png"),
-            codec::encode(image, Format::Png8).unwrap(),
-        );
+        desk.put(&format!("{name}.png"), codec::encode(image, Format::Png8).unwrap());
     }
     desk.put("a.exr", codec::encode(&a, Format::Exr).unwrap());
     desk
@@ -34,87 +31,49 @@ fn says(said: &Said, code: i32, parts: &[&str]) {
 
 #[test]
 fn a_picture_is_the_same_as_itself() {
-    says(
-        &desk().lab("compare a.png a.png"),
-        0,
-        &["same: none of 30 pixels differs", "a.png"],
-    );
+    says(&desk().lab("compare a.png a.png"), 0, &["same: none of 30 pixels differs", "a.png"]);
 }
 
 #[test]
 fn one_step_is_a_difference_unless_tolerated() {
     let desk = desk();
-    let parts = [
-        "different: 1 of 30 pixels",
-        "0.003922",
-        "1.0 steps of 255",
-        "(4, 1)",
-        "mean 0.000131",
-    ];
+    let parts = ["different: 1 of 30 pixels", "0.003922", "1.0 steps of 255", "(4, 1)", "mean 0.000131"];
     says(&desk.lab("compare a.png b.png"), 1, &parts);
     says(
         &desk.lab("compare a.png b.png --tolerance 1/255"),
         0,
         &["same: none of 30 pixels differs by more than"],
     );
-    says(
-        &desk.lab("compare a.png b.png --tolerance 0.0039"),
-        1,
-        &["different: 1 of 30"],
-    );
+    says(&desk.lab("compare a.png b.png --tolerance 0.0039"), 1, &["different: 1 of 30"]);
     says(&desk.lab("compare a.png b.png --tolerance 0.004"), 0, &["same"]);
 }
 
 #[test]
 fn formats_can_be_compared_with_each_other() {
     // An 8-bit file is at most half a step off.
-    says(
-        &desk().lab("compare a.png a.exr --tolerance 0.5/255"),
-        0,
-        &["same"],
-    );
+    says(&desk().lab("compare a.png a.exr --tolerance 0.5/255"), 0, &["same"]);
 }
 
 #[test]
 fn different_sizes_are_different_pictures() {
     let desk = desk();
-    says(
-        &desk.lab("compare a.png wide.png"),
-        1,
-        &["differ in size", "6 × 5", "7 × 5"],
-    );
+    says(&desk.lab("compare a.png wide.png"), 1, &["differ in size", "6 × 5", "7 × 5"]);
     let said = desk.lab("compare a.png wide.png -o d.png");
     assert_eq!(said.code, Some(1));
-    assert!(
-        said.err.contains("warning: d.png was not written"),
-        "{}",
-        said.err
-    );
+    assert!(said.err.contains("warning: d.png was not written"), "{}", said.err);
     assert!(!desk.files().contains(&"d.png".to_owned()));
 }
 
 #[test]
 fn the_difference_is_drawn_beside_both() {
     let desk = desk();
-    says(
-        &desk.lab("compare a.png c.png -o d.png"),
-        1,
-        &["different: 15 of 30", "wrote d.png"],
-    );
-    let (a, c, d) = (
-        desk.picture("a.png"),
-        desk.picture("c.png"),
-        desk.picture("d.png"),
-    );
+    says(&desk.lab("compare a.png c.png -o d.png"), 1, &["different: 15 of 30", "wrote d.png"]);
+    let (a, c, d) = (desk.picture("a.png"), desk.picture("c.png"), desk.picture("d.png"));
     assert_eq!((d.width(), d.height()), (6 + 8 + 6 + 8 + 6, 5));
     for (i, j) in [(0, 0), (2, 4), (3, 0), (5, 1)] {
         assert_eq!(d.get(i, j), a.get(i, j));
         assert_eq!(d.get(14 + i, j), c.get(i, j));
-        assert_eq!(
-            d.get(28 + i, j) == Rgb::ZERO,
-            i >= 3,
-            "heat where they differ, at ({i}, {j})"
-        );
+        assert_eq!(d.get(28 + i, j) == Rgb::ZERO, i >= 3, "heat where they differ, at ({i}, {j})");
     }
 }
 
@@ -124,8 +83,7 @@ fn what_is_no_picture_is_an_error() {
     desk.put("text.png", "not a picture");
     std::fs::create_dir(desk.path("folder.png")).unwrap();
     desk.lab("compare a.png nowhere.png").refused(&["nowhere.png"]);
-    desk.lab("compare text.png a.png")
-        .refused(&["text.png", "PNG", "OpenEXR"]);
+    desk.lab("compare text.png a.png").refused(&["text.png", "PNG", "OpenEXR"]);
     desk.lab("compare folder.png a.png").refused(&["folder.png"]);
     desk.lab("compare a.png").refused(&["<B>"]);
     for wrong in ["2", "-1", "NaN", "x", "1/0"] {
@@ -138,12 +96,9 @@ fn what_is_no_picture_is_an_error() {
 fn the_output_is_checked_and_never_replaces_what_is_compared() {
     let desk = desk();
     let before = desk.bytes("a.png");
-    desk.lab("compare a.png b.png -o a.png")
-        .refused(&["a.png", "replaced"]);
-    desk.lab("compare b.png a.png -o ./a.png")
-        .refused(&["a.png", "replaced"]);
-    desk.lab("compare a.png b.png -o d.gif")
-        .refused(&["d.gif", ".exr"]);
+    desk.lab("compare a.png b.png -o a.png").refused(&["a.png", "replaced"]);
+    desk.lab("compare b.png a.png -o ./a.png").refused(&["a.png", "replaced"]);
+    desk.lab("compare a.png b.png -o d.gif").refused(&["d.gif", ".exr"]);
     assert_eq!(desk.bytes("a.png"), before);
     assert_eq!(desk.files(), ["a.exr", "a.png", "b.png", "c.png", "wide.png"]);
 }

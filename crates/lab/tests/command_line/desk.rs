@@ -30,9 +30,7 @@ pub(crate) struct Said {
 
 impl Desk {
     pub(crate) fn new() -> Self {
-        Self {
-            folder: tempfile::tempdir().unwrap(),
-        }
+        Self { folder: tempfile::tempdir().unwrap() }
     }
 
     pub(crate) fn path(&self, name: &str) -> PathBuf {
@@ -54,9 +52,8 @@ impl Desk {
     /// The names of all files here, sorted.
     pub(crate) fn files(&self) -> Vec<String> {
         let entries = fs::read_dir(self.folder.path()).unwrap();
-        let mut names: Vec<String> = entries
-            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-            .collect();
+        let mut names: Vec<String> =
+            entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
         names.sort();
         names
     }
@@ -64,10 +61,7 @@ impl Desk {
     /// The program, to be started in this folder with these words.
     pub(crate) fn command(&self, words: &[&str]) -> Command {
         let mut command = Command::new(LAB);
-        command
-            .args(words)
-            .current_dir(self.folder.path())
-            .stdin(Stdio::null());
+        command.args(words).current_dir(self.folder.path()).stdin(Stdio::null());
         command
     }
 
@@ -83,11 +77,7 @@ impl Desk {
     /// Runs a line of shell, in which `$LAB` is the program.
     pub(crate) fn shell(&self, line: &str) -> Said {
         let mut shell = Command::new("sh");
-        shell
-            .args(["-c", line])
-            .env("LAB", LAB)
-            .current_dir(self.folder.path())
-            .stdin(Stdio::null());
+        shell.args(["-c", line]).env("LAB", LAB).current_dir(self.folder.path()).stdin(Stdio::null());
         Said::from(shell.output().unwrap())
     }
 }
@@ -121,11 +111,7 @@ impl Said {
             assert!(self.err.contains(part), "no {part:?} in: {}", self.err);
         }
         for noise in ["panicked", "os error", "Some(", "Err(", "{ "] {
-            assert!(
-                !self.err.contains(noise),
-                "{noise:?} is nothing for a user: {}",
-                self.err
-            );
+            assert!(!self.err.contains(noise), "{noise:?} is nothing for a user: {}", self.err);
         }
         self
     }

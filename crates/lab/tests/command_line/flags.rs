@@ -18,18 +18,9 @@ fn sizes() {
     refused("render --size 7x0", &["7x0", "at least 1"]);
     refused("render --size 1000000x1000000", &["at most 16384"]);
     refused("render --size 99999999999999999999x1", &["at most 16384"]);
-    refused(
-        "render --size 8000x8000",
-        &["3 pictures of 8000 × 8000", "67108864", "--renderer"],
-    );
-    refused(
-        "render --size 16384x16384 --renderer raytrace",
-        &["16384 × 16384", "67108864", "--size"],
-    );
-    refused(
-        "render --size 8192x8192 --renderer zbuffer --samples 16",
-        &["--samples"],
-    );
+    refused("render --size 8000x8000", &["3 pictures of 8000 × 8000", "67108864", "--renderer"]);
+    refused("render --size 16384x16384 --renderer raytrace", &["16384 × 16384", "67108864", "--size"]);
+    refused("render --size 8192x8192 --renderer zbuffer --samples 16", &["--samples"]);
 }
 
 #[test]
@@ -47,25 +38,16 @@ fn numbers() {
 
 #[test]
 fn names() {
-    refused(
-        "render --renderer zbufer",
-        &["zbuffer, painter, raytrace", "similar value exists: 'zbuffer'"],
-    );
+    refused("render --renderer zbufer", &["zbuffer, painter, raytrace", "similar value exists: 'zbuffer'"]);
     refused("render --shading gourand", &["flat, gouraud, phong", "'gouraud'"]);
-    refused(
-        "render --show colour",
-        &["color, depth, normals, barycentric, overdraw", "'color'"],
-    );
+    refused("render --show colour", &["color, depth, normals, barycentric, overdraw", "'color'"]);
     refused("render --colour", &["--colour"]);
     refused("rendr", &["'rendr'", "'render'"]);
 }
 
 #[test]
 fn scenes() {
-    refused(
-        "render teepot",
-        &["teepot", "teapot", "cornell-box", ".toml", ".obj"],
-    );
+    refused("render teepot", &["teepot", "teapot", "cornell-box", ".toml", ".obj"]);
     refused("render nowhere.toml", &["nowhere.toml"]);
     refused("render nowhere/mesh.obj", &["nowhere/mesh.obj"]);
     refused("render picture.png", &["picture.png"]);
@@ -89,14 +71,12 @@ fn a_fault_in_a_scene_is_named_with_its_line() {
     let scene = desk.lab("scenes teapot").done().out;
     let lines = scene.lines().count();
     desk.put("mine.toml", format!("{scene}\n[cammera]\nfov = 3\n"));
-    desk.lab("render mine.toml")
-        .refused(&[&format!("mine.toml:{}:", lines + 2), "cammera"]);
+    desk.lab("render mine.toml").refused(&[&format!("mine.toml:{}:", lines + 2), "cammera"]);
 }
 
 #[test]
 fn the_last_of_two_equal_flags_counts() {
     let desk = Desk::new();
-    desk.lab("render --size 999x999 --renderer painter --size 20x10 --renderer zbuffer")
-        .done();
+    desk.lab("render --size 999x999 --renderer painter --size 20x10 --renderer zbuffer").done();
     assert_eq!(desk.picture("teapot.png").width(), 20);
 }

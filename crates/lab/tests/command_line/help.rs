@@ -27,28 +27,19 @@ fn desk() -> Desk {
     let desk = Desk::new();
     desk.put("spot.obj", MESH);
     desk.put("mesh.obj", MESH);
-    desk.lab("render --renderer zbuffer --size 40x30 -o before.png")
-        .done();
-    desk.lab("render --renderer zbuffer --size 40x30 -o after.png")
-        .done();
+    desk.lab("render --renderer zbuffer --size 40x30 -o before.png").done();
+    desk.lab("render --renderer zbuffer --size 40x30 -o after.png").done();
     desk
 }
 
 /// Runs every line of `text` that is a command, as it stands but for a small size, and gives their number.
 fn run_examples(desk: &Desk, text: &str) -> usize {
-    let lines: Vec<&str> = text
-        .lines()
-        .filter(|line| line.starts_with("    cargo lab "))
-        .collect();
+    let lines: Vec<&str> = text.lines().filter(|line| line.starts_with("    cargo lab ")).collect();
     for line in &lines {
         let (typed, _remark) = line.split_once('#').unwrap_or((line, ""));
         let typed = typed.trim().replacen("cargo lab", "$LAB", 1);
         // The last size counts: a small picture shows as well that the example runs.
-        let small = if typed.starts_with("$LAB render") {
-            " --size 40x30"
-        } else {
-            ""
-        };
+        let small = if typed.starts_with("$LAB render") { " --size 40x30" } else { "" };
         desk.shell(&format!("{typed}{small}")).done();
     }
     lines.len()
@@ -61,14 +52,7 @@ fn every_example_of_the_help_text_runs() {
         let help = desk.lab(&format!("{command} --help")).done().out;
         assert_eq!(run_examples(&desk, &help), examples, "{help}");
     }
-    let pictures = [
-        "teapot.png",
-        "glass.png",
-        "spot.png",
-        "two-spheres.png",
-        "mine.png",
-        "difference.png",
-    ];
+    let pictures = ["teapot.png", "glass.png", "spot.png", "two-spheres.png", "mine.png", "difference.png"];
     for picture in pictures {
         assert_eq!(desk.picture(picture).height(), 30, "{picture}");
     }

@@ -14,10 +14,7 @@ use crate::desk::{Desk, MESH};
 const TOO_LONG: Duration = Duration::from_secs(60);
 
 fn send(signal: &str, to: &Child) {
-    let sent = Command::new("kill")
-        .args([signal, &to.id().to_string()])
-        .status()
-        .unwrap();
+    let sent = Command::new("kill").args([signal, &to.id().to_string()]).status().unwrap();
     assert!(sent.success());
 }
 
@@ -43,17 +40,10 @@ fn a_signal_while_rendering_ends_the_program_and_leaves_the_old_picture() {
         // Minutes of work, so that the signal comes in the middle of it.
         let line = "render stone.obj --renderer raytrace --size 8000x8000 --samples 16";
         let words: Vec<&str> = line.split(' ').collect();
-        let mut child = desk
-            .command(&words)
-            .stderr(Stdio::piped())
-            .stdout(Stdio::null())
-            .spawn()
-            .unwrap();
+        let mut child = desk.command(&words).stderr(Stdio::piped()).stdout(Stdio::null()).spawn().unwrap();
         // The warning about the missing MTL file tells that the program is at work.
         let mut warning = String::new();
-        BufReader::new(child.stderr.take().unwrap())
-            .read_line(&mut warning)
-            .unwrap();
+        BufReader::new(child.stderr.take().unwrap()).read_line(&mut warning).unwrap();
         assert!(warning.starts_with("warning: "), "{warning}");
         send(signal, &child);
         let status = end(&mut child);
@@ -81,10 +71,7 @@ fn a_signal_while_writing_leaves_no_temporary_file() {
             Some(130) => {
                 caught += 1;
                 let bytes = desk.bytes("out.exr");
-                assert!(
-                    bytes == b"old" || desk.picture("out.exr").width() == 1200,
-                    "a torn file"
-                );
+                assert!(bytes == b"old" || desk.picture("out.exr").width() == 1200, "a torn file");
             }
             other => panic!("ended with {other:?}"),
         }

@@ -16,14 +16,9 @@ fn without_a_scene_the_teapot_is_drawn_by_all_three() {
     assert_eq!(desk.files(), ["teapot.png"]);
     let picture = desk.picture("teapot.png");
     assert_eq!((picture.width(), picture.height()), (3 * 40 + 2 * 8, 30));
-    for words in [
-        "painter ",
-        "zbuffer ",
-        "raytrace ",
-        "40 × 30",
-        "teapot.png: 136 × 30",
-        "painter, zbuffer, raytrace",
-    ] {
+    for words in
+        ["painter ", "zbuffer ", "raytrace ", "40 × 30", "teapot.png: 136 × 30", "painter, zbuffer, raytrace"]
+    {
         assert!(said.out.contains(words), "no {words:?} in {}", said.out);
     }
 }
@@ -34,36 +29,21 @@ fn painter_zbuffer_and_raytrace_stand_from_left_to_right() {
     desk.lab("render two-spheres --size 40x30 -o all.png").done();
     let all = desk.picture("all.png");
     for (place, renderer) in ["painter", "zbuffer", "raytrace"].into_iter().enumerate() {
-        desk.lab(&format!(
-            "render two-spheres --size 40x30 --renderer {renderer} -o one.png"
-        ))
-        .done();
-        assert_eq!(
-            cut(&all, 48 * place as u32, 40),
-            desk.picture("one.png"),
-            "{renderer}"
-        );
+        desk.lab(&format!("render two-spheres --size 40x30 --renderer {renderer} -o one.png")).done();
+        assert_eq!(cut(&all, 48 * place as u32, 40), desk.picture("one.png"), "{renderer}");
     }
     let gap = cut(&all, 40, 8);
-    assert!(
-        gap.pixels().iter().all(|color| *color == gap.get(0, 0)),
-        "the gap has one colour"
-    );
+    assert!(gap.pixels().iter().all(|color| *color == gap.get(0, 0)), "the gap has one colour");
 }
 
 #[test]
 fn renderers_can_be_told_apart_side_by_side() {
     // What only one of them does shows where it stands: shadows are the ray tracer's.
     let desk = Desk::new();
-    desk.lab("render floating-bin --size 60x45 -o lit.png --no-shadows")
-        .done();
+    desk.lab("render floating-bin --size 60x45 -o lit.png --no-shadows").done();
     desk.lab("render floating-bin --size 60x45 -o shadow.png").done();
     let (lit, shadow) = (desk.picture("lit.png"), desk.picture("shadow.png"));
-    assert_eq!(
-        cut(&lit, 0, 128),
-        cut(&shadow, 0, 128),
-        "painter and zbuffer draw no shadows"
-    );
+    assert_eq!(cut(&lit, 0, 128), cut(&shadow, 0, 128), "painter and zbuffer draw no shadows");
     assert_ne!(cut(&lit, 136, 60), cut(&shadow, 136, 60), "raytrace does");
 }
 
@@ -72,25 +52,13 @@ fn a_bare_mesh_is_drawn_wherever_it_lies() {
     let desk = Desk::new();
     std::fs::create_dir(desk.path("meshes")).unwrap();
     desk.put("meshes/stone.obj", MESH);
-    desk.lab("render meshes/stone.obj --size 40x30 --shading flat")
-        .done();
-    assert_eq!(
-        desk.files(),
-        ["meshes", "stone.png"],
-        "the picture comes to the current folder"
-    );
+    desk.lab("render meshes/stone.obj --size 40x30 --shading flat").done();
+    assert_eq!(desk.files(), ["meshes", "stone.png"], "the picture comes to the current folder");
     let picture = desk.picture("stone.png");
     for left in [0, 48, 96] {
         let one = cut(&picture, left, 40);
-        let covered = one
-            .pixels()
-            .iter()
-            .filter(|color| **color != one.get(0, 29))
-            .count();
-        assert!(
-            covered > 40 * 30 / 10,
-            "{covered} pixels of the mesh in the picture at {left}"
-        );
+        let covered = one.pixels().iter().filter(|color| **color != one.get(0, 29)).count();
+        assert!(covered > 40 * 30 / 10, "{covered} pixels of the mesh in the picture at {left}");
     }
 }
 
@@ -100,11 +68,7 @@ fn what_can_be_borne_is_a_warning_on_standard_error() {
     desk.put("stone.obj", format!("mtllib nowhere.mtl\n{MESH}"));
     let said = desk.lab("render stone.obj --size 40x30 --renderer zbuffer");
     assert_eq!(said.code, Some(0));
-    assert!(
-        said.err.starts_with("warning: ") && said.err.contains("nowhere.mtl"),
-        "{}",
-        said.err
-    );
+    assert!(said.err.starts_with("warning: ") && said.err.contains("nowhere.mtl"), "{}", said.err);
     assert!(is_there(&desk.path("stone.png")));
 }
 
@@ -113,12 +77,10 @@ fn settings_come_from_the_scene_unless_given() {
     let desk = Desk::new();
     desk.put("mine.toml", desk.lab("scenes teapot").done().out);
     desk.lab("render mine.toml --renderer zbuffer -o own.png").done();
-    desk.lab("render teapot --renderer zbuffer -o built-in.png")
-        .done();
+    desk.lab("render teapot --renderer zbuffer -o built-in.png").done();
     assert_eq!(desk.bytes("own.png"), desk.bytes("built-in.png"));
     assert!(desk.picture("own.png").width() > 100, "the scene's own size");
-    desk.lab("render mine.toml --renderer zbuffer --size 17x13 -o own.png")
-        .done();
+    desk.lab("render mine.toml --renderer zbuffer --size 17x13 -o own.png").done();
     let picture = desk.picture("own.png");
     assert_eq!((picture.width(), picture.height()), (17, 13));
 }
@@ -141,8 +103,7 @@ fn every_flag_changes_the_picture() {
     }
     let base = "render teapot --renderer zbuffer --size 48x36 -o";
     let pictures = ["flat", "gouraud", "phong"].map(|shading| {
-        desk.lab(&format!("{base} {shading}.png --shading {shading}"))
-            .done();
+        desk.lab(&format!("{base} {shading}.png --shading {shading}")).done();
         desk.bytes(&format!("{shading}.png"))
     });
     assert!(pictures[0] != pictures[1] && pictures[1] != pictures[2] && pictures[2] != pictures[0]);
@@ -152,8 +113,7 @@ fn every_flag_changes_the_picture() {
 fn every_renderer_shows_every_property() {
     let desk = Desk::new();
     for show in ["color", "depth", "normals", "barycentric", "overdraw"] {
-        desk.lab(&format!("render teapot --size 24x18 --show {show} -o {show}.png"))
-            .done();
+        desk.lab(&format!("render teapot --size 24x18 --show {show} -o {show}.png")).done();
         let picture = desk.picture(&format!("{show}.png"));
         for left in [0, 32, 64] {
             let one = cut(&picture, left, 24);
@@ -184,23 +144,12 @@ fn the_number_of_threads_changes_no_byte() {
 fn the_extension_chooses_the_format() {
     let desk = Desk::new();
     for name in ["a.png", "a.16.png", "a.exr", "B.PNG"] {
-        desk.lab(&format!(
-            "render two-spheres --renderer zbuffer --size 40x30 -o {name}"
-        ))
-        .done();
+        desk.lab(&format!("render two-spheres --renderer zbuffer --size 40x30 -o {name}")).done();
     }
-    let (exr, deep, shallow) = (
-        desk.picture("a.exr"),
-        desk.picture("a.16.png"),
-        desk.picture("a.png"),
-    );
+    let (exr, deep, shallow) = (desk.picture("a.exr"), desk.picture("a.16.png"), desk.picture("a.png"));
     let furthest = |other: &Image| {
         let apart = |(a, b): (&Rgb, &Rgb)| (a.clamp(Rgb::ZERO, Rgb::ONE) - *b).abs().max_element();
-        exr.pixels()
-            .iter()
-            .zip(other.pixels())
-            .map(apart)
-            .fold(0.0, f32::max)
+        exr.pixels().iter().zip(other.pixels()).map(apart).fold(0.0, f32::max)
     };
     // Half a step of the file, in light: the sRGB curve is nowhere steeper than 2.4 for the inverse, at white.
     assert!(furthest(&deep) <= 2.4 * 0.5 / 65535.0 + 1e-6);

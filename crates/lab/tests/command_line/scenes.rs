@@ -5,9 +5,7 @@ use crate::desk::Desk;
 /// The name at the start of each line of the list.
 fn names(desk: &Desk) -> Vec<String> {
     let list = desk.lab("scenes").done().out;
-    list.lines()
-        .map(|line| line.split_whitespace().next().unwrap().to_owned())
-        .collect()
+    list.lines().map(|line| line.split_whitespace().next().unwrap().to_owned()).collect()
 }
 
 #[test]
@@ -30,22 +28,15 @@ fn a_printed_scene_is_the_scene() {
     for name in names(&desk) {
         desk.put("mine.toml", desk.lab(&format!("scenes {name}")).done().out);
         for scene in ["mine.toml", &name] {
-            desk.lab(&format!("render {scene} --size 24x18 -o {scene}.png"))
-                .done();
+            desk.lab(&format!("render {scene} --size 24x18 -o {scene}.png")).done();
         }
-        assert_eq!(
-            desk.bytes("mine.toml.png"),
-            desk.bytes(&format!("{name}.png")),
-            "{name}"
-        );
+        assert_eq!(desk.bytes("mine.toml.png"), desk.bytes(&format!("{name}.png")), "{name}");
     }
 }
 
 #[test]
 fn an_unknown_scene_is_refused_with_the_names_there_are() {
-    Desk::new()
-        .lab("scenes teepot")
-        .refused(&["teepot", "cornell-box", "similar value exists: 'teapot'"]);
+    Desk::new().lab("scenes teepot").refused(&["teepot", "cornell-box", "similar value exists: 'teapot'"]);
 }
 
 #[test]
@@ -55,11 +46,7 @@ fn a_reader_who_has_left_is_no_error() {
         let (reader, writer) = std::io::pipe().unwrap();
         drop(reader);
         let run = desk.command(words).stdout(writer).output().unwrap();
-        assert_eq!(
-            (run.status.code(), run.stderr.as_slice()),
-            (Some(0), &b""[..]),
-            "{words:?}"
-        );
+        assert_eq!((run.status.code(), run.stderr.as_slice()), (Some(0), &b""[..]), "{words:?}");
     }
     let said = desk.shell("$LAB scenes | head -1").done();
     assert!(said.out.starts_with("teapot"));
@@ -68,7 +55,5 @@ fn a_reader_who_has_left_is_no_error() {
 #[test]
 #[cfg(target_os = "linux")]
 fn a_full_disk_under_standard_output_is_an_error() {
-    Desk::new()
-        .shell("$LAB scenes > /dev/full")
-        .refused(&["standard output", "No space left"]);
+    Desk::new().shell("$LAB scenes > /dev/full").refused(&["standard output", "No space left"]);
 }

@@ -18,9 +18,7 @@ fn a_pipe_sees_no_progress_bar() {
 fn a_terminal_sees_a_progress_bar_that_goes_again() {
     let desk = Desk::new();
     // `script` gives the program a terminal; without a kind of terminal there is no bar.
-    let said = desk.shell(&format!(
-        "TERM=xterm script --quiet --return --command \"$LAB {LONG}\" /dev/null"
-    ));
+    let said = desk.shell(&format!("TERM=xterm script --quiet --return --command \"$LAB {LONG}\" /dev/null"));
     if said.code == Some(127) {
         eprintln!("skipped: there is no program `script` to make a terminal");
         return;
@@ -29,16 +27,8 @@ fn a_terminal_sees_a_progress_bar_that_goes_again() {
     let bar = said.out.find("raytrace  [").expect("a bar");
     let result = said.out.rfind("320 × 240 pixels in").expect("a result");
     assert!(bar < result);
-    assert!(
-        said.out[bar..result].contains("\u{1b}[2K"),
-        "the line of the bar is cleared: {:?}",
-        said.out
-    );
-    assert!(
-        !said.out[result..].contains(['[', '%']),
-        "no bar after the result: {:?}",
-        said.out
-    );
+    assert!(said.out[bar..result].contains("\u{1b}[2K"), "the line of the bar is cleared: {:?}", said.out);
+    assert!(!said.out[result..].contains(['[', '%']), "no bar after the result: {:?}", said.out);
 }
 
 #[test]

@@ -21,25 +21,16 @@ fn what_cannot_be_written_is_refused_before_rendering() {
         ("out", &["no extension", "picture.png"]),
         (".png", &["no extension"]),
         ("-", &["no extension"]),
-        (
-            "nowhere/out.png",
-            &["there is no folder nowhere", "mkdir -p nowhere"],
-        ),
+        ("nowhere/out.png", &["there is no folder nowhere", "mkdir -p nowhere"]),
         ("no/where/out.png", &["there is no folder no/where"]),
         ("file/out.png", &["file/out.png", "Not a directory"]),
         (&long, &["name too long"]),
         ("=", &["value"]),
     ];
     for (name, parts) in cases {
-        let option = if name == "=" {
-            "--output=".to_owned()
-        } else {
-            format!("-o {name}")
-        };
+        let option = if name == "=" { "--output=".to_owned() } else { format!("-o {name}") };
         // A picture so large that rendering first would be noticed.
-        let said = desk.lab(&format!(
-            "render --renderer raytrace --size 8000x8000 --samples 16 {option}"
-        ));
+        let said = desk.lab(&format!("render --renderer raytrace --size 8000x8000 --samples 16 {option}"));
         said.refused(parts);
     }
     assert_eq!(desk.files(), ["file", "folder.png"]);
@@ -49,9 +40,7 @@ fn what_cannot_be_written_is_refused_before_rendering() {
 #[cfg(target_os = "linux")]
 fn a_folder_that_takes_no_files_is_refused() {
     // Not even root makes files there, so that this test holds for root too.
-    Desk::new()
-        .lab(&format!("{RENDER} /proc/out.png"))
-        .refused(&["cannot write /proc/out.png"]);
+    Desk::new().lab(&format!("{RENDER} /proc/out.png")).refused(&["cannot write /proc/out.png"]);
 }
 
 #[test]
@@ -65,8 +54,7 @@ fn a_folder_without_write_permission_is_refused() {
         eprintln!("skipped: this user (root) may write everywhere");
         return;
     }
-    desk.lab(&format!("{RENDER} closed/out.png"))
-        .refused(&["closed/out.png", "Permission denied"]);
+    desk.lab(&format!("{RENDER} closed/out.png")).refused(&["closed/out.png", "Permission denied"]);
 }
 
 #[test]
@@ -80,8 +68,7 @@ fn a_file_that_is_there_is_replaced_unless_it_is_read_only() {
     permissions.set_readonly(true);
     fs::set_permissions(desk.path("out.png"), permissions).unwrap();
     let before = desk.bytes("out.png");
-    desk.lab(&format!("{RENDER} out.png --size 30x20"))
-        .refused(&["out.png is read-only", "chmod"]);
+    desk.lab(&format!("{RENDER} out.png --size 30x20")).refused(&["out.png is read-only", "chmod"]);
     assert_eq!(desk.bytes("out.png"), before);
     assert_eq!(desk.files(), ["out.png"]);
 }
@@ -92,12 +79,10 @@ fn permissions_follow_the_umask_and_those_of_a_replaced_file_stay() {
     use std::os::unix::fs::PermissionsExt;
     let desk = Desk::new();
     let mode = || fs::metadata(desk.path("out.png")).unwrap().permissions().mode() & 0o7777;
-    desk.shell(&format!("umask 027; exec $LAB {RENDER} out.png"))
-        .done();
+    desk.shell(&format!("umask 027; exec $LAB {RENDER} out.png")).done();
     assert_eq!(mode(), 0o640);
     fs::set_permissions(desk.path("out.png"), fs::Permissions::from_mode(0o606)).unwrap();
-    desk.shell(&format!("umask 027; exec $LAB {RENDER} out.png"))
-        .done();
+    desk.shell(&format!("umask 027; exec $LAB {RENDER} out.png")).done();
     assert_eq!(mode(), 0o606);
 }
 
@@ -116,22 +101,12 @@ fn a_symbolic_link_is_followed_and_stays() {
     desk.lab(&format!("{RENDER} link.png")).done();
     assert_eq!(desk.picture("far/real.png").width(), 20);
     assert!(desk.path("link.png").is_symlink());
-    assert_eq!(
-        fs::read_dir(desk.path("far")).unwrap().count(),
-        1,
-        "nothing is left beside the file"
-    );
+    assert_eq!(fs::read_dir(desk.path("far")).unwrap().count(), 1, "nothing is left beside the file");
 
-    desk.lab(&format!("{RENDER} dangling.png"))
-        .refused(&["dangling.png", "link to nothing"]);
-    desk.lab(&format!("{RENDER} circle.png"))
-        .refused(&["circle.png", "symbolic link"]);
-    desk.lab(&format!("{RENDER} null.png"))
-        .refused(&["null.png", "not an ordinary file"]);
-    assert_eq!(
-        desk.files(),
-        ["circle.png", "dangling.png", "far", "link.png", "null.png"]
-    );
+    desk.lab(&format!("{RENDER} dangling.png")).refused(&["dangling.png", "link to nothing"]);
+    desk.lab(&format!("{RENDER} circle.png")).refused(&["circle.png", "symbolic link"]);
+    desk.lab(&format!("{RENDER} null.png")).refused(&["null.png", "not an ordinary file"]);
+    assert_eq!(desk.files(), ["circle.png", "dangling.png", "far", "link.png", "null.png"]);
 }
 
 #[test]
@@ -152,11 +127,7 @@ fn a_full_disk_leaves_the_old_picture() {
     let desk = Desk::new();
     fs::create_dir(desk.path("disk")).unwrap();
     let mount = "mount -t tmpfs -o size=16k lab disk";
-    if desk
-        .shell(&format!("unshare --map-root-user --mount sh -c '{mount}'"))
-        .code
-        != Some(0)
-    {
+    if desk.shell(&format!("unshare --map-root-user --mount sh -c '{mount}'")).code != Some(0) {
         eprintln!("skipped: this user may mount no file system of 16 kB");
         return;
     }
@@ -166,12 +137,7 @@ fn a_full_disk_leaves_the_old_picture() {
     );
     let said = desk.shell(&format!("unshare --map-root-user --mount sh -c '{inside}'"));
     assert!(said.out.ends_with("2\nold\nout.exr\n"), "{said:?}");
-    assert!(
-        said.err
-            .contains("error: cannot write disk/out.exr: No space left on device"),
-        "{}",
-        said.err
-    );
+    assert!(said.err.contains("error: cannot write disk/out.exr: No space left on device"), "{}", said.err);
     assert!(said.err.contains("help: free some space"), "{}", said.err);
 }
 
@@ -179,7 +145,6 @@ fn a_full_disk_leaves_the_old_picture() {
 fn names_may_hold_blanks_and_other_letters() {
     let desk = Desk::new();
     let name = "mijn theepot é.png";
-    desk.words(&["render", "--renderer", "zbuffer", "--size", "20x15", "-o", name])
-        .done();
+    desk.words(&["render", "--renderer", "zbuffer", "--size", "20x15", "-o", name]).done();
     assert!(is_there(&desk.path(name)));
 }
