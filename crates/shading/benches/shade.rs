@@ -25,25 +25,13 @@ fn with_world(measure: impl FnOnce(&World)) {
     let material = [Material::new(vec3(0.6, 0.3, 0.1), 60.0)];
     let pot = |k: f32| {
         let world_from_object = Mat4::from_translation(k * vec3(0.25, 0.5, 1.0) - vec3(0.75, 1.5, 3.0));
-        Object {
-            mesh: &mesh,
-            world_from_object,
-            materials: &material,
-        }
+        Object { mesh: &mesh, world_from_object, materials: &material }
     };
     let objects = [0.0, 1.0, 2.0, 3.0].map(pot);
     let lights = [
-        Light::Ambient {
-            color: Rgb::splat(0.1),
-        },
-        Light::Point {
-            position: vec3(4.0, 8.0, 6.0),
-            color: Rgb::ONE,
-        },
-        Light::Directional {
-            to_light: vec3(-0.6, 0.8, 0.0),
-            color: Rgb::splat(0.4),
-        },
+        Light::Ambient { color: Rgb::splat(0.1) },
+        Light::Point { position: vec3(4.0, 8.0, 6.0), color: Rgb::ONE },
+        Light::Directional { to_light: vec3(-0.6, 0.8, 0.0), color: Rgb::splat(0.4) },
     ];
     measure(&World {
         objects: &objects,

@@ -11,9 +11,7 @@ use shading::{Object, Shading, Visibility, World, render};
 use transforms::{Camera, Pipeline, ViewVolume};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let file = std::env::args()
-        .nth(1)
-        .unwrap_or_else(|| "three_shadings.png".to_owned());
+    let file = std::env::args().nth(1).unwrap_or_else(|| "three_shadings.png".to_owned());
     let ball = icosphere(1)?;
     let objects = [Object {
         mesh: &ball,
@@ -21,31 +19,18 @@ fn main() -> Result<(), Box<dyn Error>> {
         materials: &[Material::new(vec3(0.6, 0.12, 0.08), 60.0)],
     }];
     let lights = [
-        Light::Ambient {
-            color: Rgb::splat(0.15),
-        },
-        Light::Point {
-            position: vec3(3.0, 4.0, 6.0),
-            color: Rgb::ONE,
-        },
+        Light::Ambient { color: Rgb::splat(0.15) },
+        Light::Point { position: vec3(3.0, 4.0, 6.0), color: Rgb::ONE },
     ];
     let background = Rgb::splat(0.02);
-    let world = World {
-        objects: &objects,
-        lights: &lights,
-        background,
-        highlight: Highlight::Blinn,
-    };
+    let world = World { objects: &objects, lights: &lights, background, highlight: Highlight::Blinn };
     let camera = Camera::look_at(vec3(0.0, 0.0, 5.0), Vec3::ZERO, Vec3::Y)?;
     let pipeline = Pipeline::new(camera, ViewVolume::from_fov_y(0.5, 1.0, -1.0, -9.0)?, 400, 400)?;
 
     let picture = |shading| render(&world, &pipeline, shading, Visibility::default()).image;
     let [flat, gouraud, phong] = [Shading::Flat, Shading::Gouraud, Shading::Phong].map(picture);
     let strip = side_by_side(&[&flat, &gouraud, &phong], 4, Rgb::ONE);
-    std::fs::write(
-        &file,
-        codec::encode(&strip, canvas::Format::from_path(file.as_ref())?)?,
-    )?;
+    std::fs::write(&file, codec::encode(&strip, canvas::Format::from_path(file.as_ref())?)?)?;
     println!("{file}: flat, Gouraud, Phong");
     Ok(())
 }

@@ -52,11 +52,7 @@ impl Facet {
     pub fn new(object: &Object, k: usize, eye: Vec3) -> Self {
         let to_world = |p: Vec3| object.world_from_object.transform_point3(p);
         let Triangle { a, b, c } = object.mesh.triangle(k);
-        let corners = Triangle {
-            a: to_world(a),
-            b: to_world(b),
-            c: to_world(c),
-        };
+        let corners = Triangle { a: to_world(a), b: to_world(b), c: to_world(c) };
 
         let normal_matrix = normal_matrix(&object.world_from_object);
         let turned = |n: Vec3| (normal_matrix * n).try_normalize();
@@ -88,27 +84,15 @@ mod tests {
 
     fn mesh() -> Mesh {
         let normals = vec![vec3(0.0, 0.0, 1.0), vec3(0.6, 0.0, 0.8), vec3(0.0, 0.6, 0.8)];
-        Mesh::new(
-            vec![Vec3::ZERO, vec3(2.0, 0.0, 0.0), vec3(0.0, 3.0, 0.0)],
-            vec![[0, 1, 2]],
-        )
-        .and_then(|mesh| {
-            mesh.with_normals(Indexed {
-                values: normals,
-                triangles: vec![[0, 1, 2]],
-            })
-        })
-        .unwrap()
+        Mesh::new(vec![Vec3::ZERO, vec3(2.0, 0.0, 0.0), vec3(0.0, 3.0, 0.0)], vec![[0, 1, 2]])
+            .and_then(|mesh| mesh.with_normals(Indexed { values: normals, triangles: vec![[0, 1, 2]] }))
+            .unwrap()
     }
 
     #[test]
     fn all_normals_turn_to_the_eye_together() {
         let mesh = mesh();
-        let object = Object {
-            mesh: &mesh,
-            world_from_object: Mat4::IDENTITY,
-            materials: &[],
-        };
+        let object = Object { mesh: &mesh, world_from_object: Mat4::IDENTITY, materials: &[] };
         let before = Facet::new(&object, 0, vec3(9.0, 1.0, 0.5));
         let behind = Facet::new(&object, 0, vec3(9.0, 1.0, -0.5));
         assert_eq!(before.corner_normals.map(|n| -n), behind.corner_normals);
@@ -120,17 +104,9 @@ mod tests {
     fn a_mirror_keeps_fronts_fronts_and_an_uneven_scale_keeps_normals_perpendicular() {
         let mesh = mesh();
         let mirror = Mat4::from_scale(vec3(-2.0, 1.0, 5.0)) * Mat4::from_rotation_y(0.4);
-        let object = Object {
-            mesh: &mesh,
-            world_from_object: mirror,
-            materials: &[],
-        };
+        let object = Object { mesh: &mesh, world_from_object: mirror, materials: &[] };
         let moved = mesh.transformed(&mirror).unwrap();
-        let moved_object = Object {
-            mesh: &moved,
-            world_from_object: Mat4::IDENTITY,
-            materials: &[],
-        };
+        let moved_object = Object { mesh: &moved, world_from_object: Mat4::IDENTITY, materials: &[] };
         for eye in [vec3(1.0, 2.0, 9.0), vec3(1.0, 2.0, -9.0)] {
             let (ours, theirs) = (Facet::new(&object, 0, eye), Facet::new(&moved_object, 0, eye));
             assert!(ours.face_normal.abs_diff_eq(theirs.face_normal, 1e-6));
@@ -144,11 +120,7 @@ mod tests {
     fn a_triangle_without_area_has_unit_normals_all_the_same() {
         let line = vec![Vec3::ZERO, vec3(1.0, 2.0, 3.0), vec3(2.0, 4.0, 6.0)];
         let mesh = Mesh::new(line, vec![[0, 1, 2]]).unwrap();
-        let object = Object {
-            mesh: &mesh,
-            world_from_object: Mat4::IDENTITY,
-            materials: &[],
-        };
+        let object = Object { mesh: &mesh, world_from_object: Mat4::IDENTITY, materials: &[] };
         for eye in [Vec3::ZERO, vec3(3.0, 0.0, 4.0)] {
             let facet = Facet::new(&object, 0, eye);
             assert!((facet.face_normal.length() - 1.0).abs() < 1e-6, "{facet:?}");

@@ -72,11 +72,7 @@ pub fn phong_normal([n0, n1, n2]: [Vec3; 3], weights: Barycentric) -> Option<Vec
 /// The colour of one pixel: the lighting model with the interpolated normal (L40).
 #[must_use]
 pub fn phong_color(facet: &Facet, lighting: &Lighting, weights: Barycentric) -> Rgb {
-    lighting.color(
-        &facet.material,
-        facet.corners.point(weights),
-        interpolated_normal(facet, weights),
-    )
+    lighting.color(&facet.material, facet.corners.point(weights), interpolated_normal(facet, weights))
 }
 
 fn interpolated_normal(facet: &Facet, weights: Barycentric) -> Vec3 {
@@ -107,11 +103,7 @@ impl<'a> Surface<'a> {
             Shading::Gouraud => Colors::Gouraud(gouraud_colors(&facet, &lighting)),
             Shading::Phong => Colors::Phong,
         };
-        Self {
-            facet,
-            lighting,
-            colors,
-        }
+        Self { facet, lighting, colors }
     }
 
     /// The colour where the triangle's barycentric coordinates are `weights`, linear RGB, not clamped.
@@ -143,11 +135,7 @@ mod tests {
 
     use super::*;
 
-    const MIDDLE: Barycentric = Barycentric {
-        alpha: 0.5,
-        beta: 0.5,
-        gamma: 0.0,
-    };
+    const MIDDLE: Barycentric = Barycentric { alpha: 0.5, beta: 0.5, gamma: 0.0 };
 
     #[test]
     fn without_the_last_step_a_highlight_between_the_corners_goes_out() {
@@ -170,35 +158,21 @@ mod tests {
             corner_normals: [Vec3::X, Vec3::NEG_X, Vec3::Y],
             material: Material::default(),
         };
-        let lighting = Lighting {
-            lights: &[],
-            highlight: Highlight::Blinn,
-            eye: vec3(1.0, 2.0, 5.0),
-        };
-        assert_eq!(
-            Surface::new(Shading::Phong, facet, lighting).normal(MIDDLE),
-            Vec3::Z
-        );
+        let lighting = Lighting { lights: &[], highlight: Highlight::Blinn, eye: vec3(1.0, 2.0, 5.0) };
+        assert_eq!(Surface::new(Shading::Phong, facet, lighting).normal(MIDDLE), Vec3::Z);
     }
 
     #[test]
     fn flat_shading_asks_at_the_centroid() {
         // A lamp over the centroid (1, 1, 0), 4 high: n·l = 1 there and less elsewhere.
-        let lights = [Light::Point {
-            position: vec3(1.0, 1.0, 4.0),
-            color: Rgb::ONE,
-        }];
+        let lights = [Light::Point { position: vec3(1.0, 1.0, 4.0), color: Rgb::ONE }];
         let facet = Facet {
             corners: Triangle::new(Vec3::ZERO, vec3(3.0, 0.0, 0.0), vec3(0.0, 3.0, 0.0)),
             face_normal: Vec3::Z,
             corner_normals: [Vec3::Z; 3],
             material: Material::matt(vec3(0.5, 0.25, 1.0)),
         };
-        let lighting = Lighting {
-            lights: &lights,
-            highlight: Highlight::Blinn,
-            eye: vec3(1.0, 2.0, 5.0),
-        };
+        let lighting = Lighting { lights: &lights, highlight: Highlight::Blinn, eye: vec3(1.0, 2.0, 5.0) };
         assert!(flat_color(&facet, &lighting).abs_diff_eq(vec3(0.5, 0.25, 1.0), 1e-6));
         // At the corner (0, 0, 0): cos = 4/√18.
         let at_corner = gouraud_colors(&facet, &lighting)[0];
@@ -207,21 +181,14 @@ mod tests {
 
     #[test]
     fn gouraud_shading_asks_at_the_corners_with_the_vertex_normals() {
-        let lights = [Light::Directional {
-            to_light: Vec3::Z,
-            color: vec3(1.0, 0.5, 2.0),
-        }];
+        let lights = [Light::Directional { to_light: Vec3::Z, color: vec3(1.0, 0.5, 2.0) }];
         let facet = Facet {
             corners: Triangle::new(Vec3::ZERO, vec3(3.0, 0.0, 0.0), vec3(0.0, 3.0, 0.0)),
             face_normal: Vec3::Z,
             corner_normals: [Vec3::Z, vec3(0.6, 0.0, 0.8), vec3(0.0, 0.8, 0.6)],
             material: Material::matt(vec3(0.5, 1.0, 0.25)),
         };
-        let lighting = Lighting {
-            lights: &lights,
-            highlight: Highlight::Blinn,
-            eye: vec3(1.0, 2.0, 5.0),
-        };
+        let lighting = Lighting { lights: &lights, highlight: Highlight::Blinn, eye: vec3(1.0, 2.0, 5.0) };
         let full = vec3(0.5, 0.5, 0.5);
         assert_eq!(gouraud_colors(&facet, &lighting), [full, 0.8 * full, 0.6 * full]);
         let surface = Surface::new(Shading::Gouraud, facet, lighting);

@@ -56,18 +56,12 @@ pub const CREASE_ANGLE: f32 = std::f32::consts::FRAC_PI_3;
 /// If `crease_angle` is negative or NaN.
 #[must_use]
 pub fn vertex_normals(mesh: &Mesh, crease_angle: f32) -> Indexed<Vec3> {
-    assert!(
-        crease_angle >= 0.0,
-        "the crease angle is {crease_angle} radians: it must be at least 0"
-    );
+    assert!(crease_angle >= 0.0, "the crease angle is {crease_angle} radians: it must be at least 0");
     let least_cosine = f64::from(crease_angle).min(std::f64::consts::PI).cos();
     let vertices = Vertices::of(mesh);
     let faces: Vec<Option<Vec3>> = (0..mesh.len()).map(|k| mesh.triangle(k).normal()).collect();
 
-    let mut normals = Indexed {
-        values: Vec::new(),
-        triangles: vec![[0; 3]; mesh.len()],
-    };
+    let mut normals = Indexed { values: Vec::new(), triangles: vec![[0; 3]; mesh.len()] };
     for corners in vertices.fans() {
         let fan = Fan::around(mesh, &vertices, corners, &faces);
         let groups = fan.groups(least_cosine);
@@ -101,19 +95,14 @@ pub fn with_vertex_normals(mesh: Mesh, crease_angle: f32) -> Mesh {
         None => computed,
         Some(given) => filled(given, computed),
     };
-    mesh.with_normals(complete)
-        .expect("one finite normal for each corner")
+    mesh.with_normals(complete).expect("one finite normal for each corner")
 }
 
 /// The given normals, and the computed ones where the given are zero.
 fn filled(given: &Indexed<Vec3>, computed: Indexed<Vec3>) -> Indexed<Vec3> {
     let first_computed = u32::try_from(given.values.len()).expect("a mesh indexes its normals by u32");
     let choose = |ours: u32, theirs: u32| {
-        if given.values[ours as usize] == Vec3::ZERO {
-            first_computed + theirs
-        } else {
-            ours
-        }
+        if given.values[ours as usize] == Vec3::ZERO { first_computed + theirs } else { ours }
     };
     let triangles = given.triangles.iter().zip(&computed.triangles);
     Indexed {
@@ -140,39 +129,19 @@ mod tests {
         let positions = vec![Vec3::ZERO, x, y, z, x + y, y + z, z + x];
         let squares = [[0, 2, 4, 1], [0, 3, 5, 2], [0, 1, 6, 3]];
         let cut = |([a, b, c, d], through): ([u32; 4], bool)| {
-            if through {
-                [[a, b, c], [a, c, d]]
-            } else {
-                [[a, b, d], [b, c, d]]
-            }
+            if through { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] }
         };
-        Mesh::new(
-            positions,
-            squares
-                .into_iter()
-                .zip(cut_through_corner)
-                .flat_map(cut)
-                .collect(),
-        )
-        .unwrap()
+        Mesh::new(positions, squares.into_iter().zip(cut_through_corner).flat_map(cut).collect()).unwrap()
     }
 
     /// The naive mean: every triangle at the vertex counts once.
     fn unweighted_normal(mesh: &Mesh, position: u32) -> Vec3 {
         let around = (0..mesh.len()).filter(|k| mesh.triangles()[*k].contains(&position));
-        around
-            .map(|k| mesh.triangle(k).normal().unwrap())
-            .sum::<Vec3>()
-            .normalize()
+        around.map(|k| mesh.triangle(k).normal().unwrap()).sum::<Vec3>().normalize()
     }
 
     fn normal_at(mesh: &Mesh, normals: &Indexed<Vec3>, position: u32) -> Vec3 {
-        let corner = |k: usize| {
-            mesh.triangles()[k]
-                .iter()
-                .position(|p| *p == position)
-                .map(|at| (k, at))
-        };
+        let corner = |k: usize| mesh.triangles()[k].iter().position(|p| *p == position).map(|at| (k, at));
         let (k, at) = (0..mesh.len()).find_map(corner).unwrap();
         normals.values[normals.triangles[k][at] as usize]
     }
@@ -180,12 +149,7 @@ mod tests {
     #[test]
     fn weighting_by_angle_does_not_see_how_squares_were_cut_and_counting_triangles_does() {
         let want = Vec3::NEG_ONE.normalize();
-        for cut in [
-            [false, false, false],
-            [true, false, false],
-            [true, false, true],
-            [true, true, true],
-        ] {
+        for cut in [[false, false, false], [true, false, false], [true, false, true], [true, true, true]] {
             let mesh = box_corner(cut);
             let ours = normal_at(&mesh, &vertex_normals(&mesh, PI), 0);
             assert!(ours.abs_diff_eq(want, 1e-6), "{cut:?}: {ours}");
@@ -201,10 +165,7 @@ mod tests {
         let normals = vertex_normals(&mesh, CREASE_ANGLE);
         for k in 0..mesh.len() {
             let face = mesh.triangle(k).normal().unwrap();
-            assert_eq!(
-                normals.triangles[k].map(|index| normals.values[index as usize]),
-                [face; 3]
-            );
+            assert_eq!(normals.triangles[k].map(|index| normals.values[index as usize]), [face; 3]);
         }
     }
 
@@ -224,27 +185,16 @@ mod tests {
         let mesh = Mesh::new(positions, vec![[0, 1, 2], [3, 4, 5]]).unwrap();
         let normals = vertex_normals(&mesh, 0.7); // the roof's halves differ by 0.6
         assert_eq!(normals.triangles[0][0], normals.triangles[1][0]);
-        assert_ne!(
-            vertex_normals(&mesh, 0.5).triangles[0][0],
-            vertex_normals(&mesh, 0.5).triangles[1][0]
-        );
+        assert_ne!(vertex_normals(&mesh, 0.5).triangles[0][0], vertex_normals(&mesh, 0.5).triangles[1][0]);
     }
 
     #[test]
     fn triangles_without_area_count_for_nothing_and_take_the_normal_of_others() {
-        let positions = vec![
-            Vec3::ZERO,
-            vec3(2.0, 0.0, 0.0),
-            vec3(0.0, 3.0, 0.0),
-            vec3(9.0, 9.0, 9.0),
-        ];
+        let positions = vec![Vec3::ZERO, vec3(2.0, 0.0, 0.0), vec3(0.0, 3.0, 0.0), vec3(9.0, 9.0, 9.0)];
         let mesh = Mesh::new(positions, vec![[0, 0, 1], [0, 1, 2], [3, 3, 3]]).unwrap();
         let normals = vertex_normals(&mesh, PI);
         let corners = |k: usize| normals.triangles[k].map(|index| normals.values[index as usize]);
-        assert_eq!(
-            (corners(0), corners(1), corners(2)),
-            ([Vec3::Z; 3], [Vec3::Z; 3], [Vec3::ZERO; 3])
-        );
+        assert_eq!((corners(0), corners(1), corners(2)), ([Vec3::Z; 3], [Vec3::Z; 3], [Vec3::ZERO; 3]));
     }
 
     #[test]
@@ -264,17 +214,10 @@ mod tests {
         // first and the third belong together, though others stand between them.
         let far_corner = |towards: f32| vec3(-towards.to_radians().sin(), towards.to_radians().cos(), 0.0);
         let sheets = [0.0, 180.0, 20.0, -90.0, 90.0];
-        let positions = [Vec3::ZERO, Vec3::Z]
-            .into_iter()
-            .chain(sheets.map(far_corner))
-            .collect();
+        let positions = [Vec3::ZERO, Vec3::Z].into_iter().chain(sheets.map(far_corner)).collect();
         let mesh = Mesh::new(positions, (2..7).map(|far| [0, far, 1]).collect()).unwrap();
         let normals = vertex_normals(&mesh, 0.5);
-        let index = normals
-            .triangles
-            .iter()
-            .map(|corners| corners[0])
-            .collect::<Vec<_>>();
+        let index = normals.triangles.iter().map(|corners| corners[0]).collect::<Vec<_>>();
         assert_eq!(index, [0, 1, 0, 2, 3]);
         let between = 10.0_f32.to_radians();
         assert!(
@@ -288,18 +231,9 @@ mod tests {
     fn only_missing_normals_are_filled_in() {
         let positions = vec![Vec3::ZERO, vec3(2.0, 0.0, 0.0), vec3(0.0, 3.0, 0.0)];
         let tilted = vec3(0.6, 0.0, 0.8);
-        let given = Indexed {
-            values: vec![tilted, Vec3::ZERO],
-            triangles: vec![[0, 1, 0]],
-        };
-        let mesh = Mesh::new(positions, vec![[0, 1, 2]])
-            .unwrap()
-            .with_normals(given)
-            .unwrap();
-        assert_eq!(
-            with_vertex_normals(mesh, 1.0).corner_normals(0),
-            Some([tilted, Vec3::Z, tilted])
-        );
+        let given = Indexed { values: vec![tilted, Vec3::ZERO], triangles: vec![[0, 1, 0]] };
+        let mesh = Mesh::new(positions, vec![[0, 1, 2]]).unwrap().with_normals(given).unwrap();
+        assert_eq!(with_vertex_normals(mesh, 1.0).corner_normals(0), Some([tilted, Vec3::Z, tilted]));
     }
 
     #[test]

@@ -61,14 +61,8 @@ pub(crate) fn in_batches(world: &World, pipeline: &Pipeline, mut draw: impl FnMu
 /// Each position of the mesh in clip space: through the world, as one triangle alone would go.
 fn clip_from_object(object: &Object, pipeline: &Pipeline) -> Vec<Vec4> {
     let clip_from_world = pipeline.clip_from_world();
-    let positions = object
-        .mesh
-        .positions()
-        .par_iter()
-        .with_min_len(VERTICES_IN_A_TASK);
-    positions
-        .map(|p| clip_from_world * object.world_from_object.transform_point3(*p).extend(1.0))
-        .collect()
+    let positions = object.mesh.positions().par_iter().with_min_len(VERTICES_IN_A_TASK);
+    positions.map(|p| clip_from_world * object.world_from_object.transform_point3(*p).extend(1.0)).collect()
 }
 
 impl Batch {
@@ -80,10 +74,7 @@ impl Batch {
         pipeline: &Pipeline,
     ) -> Self {
         let (width, height) = (pipeline.width(), pipeline.height());
-        let mut batch = Self {
-            triangles: Vec::with_capacity(triangles.len()),
-            rows: u32::MAX..0,
-        };
+        let mut batch = Self { triangles: Vec::with_capacity(triangles.len()), rows: u32::MAX..0 };
         for (triangle, corners) in (first..).zip(triangles) {
             let corners = corners.map(|index| corners_clip[index as usize]);
             for on_screen in project_clip(corners, width, height).triangles() {
@@ -91,12 +82,7 @@ impl Batch {
                     continue;
                 };
                 batch.rows = batch.rows.start.min(rows.start)..batch.rows.end.max(rows.end);
-                batch.triangles.push(Projected {
-                    object,
-                    triangle,
-                    on_screen,
-                    rows,
-                });
+                batch.triangles.push(Projected { object, triangle, on_screen, rows });
             }
         }
         batch

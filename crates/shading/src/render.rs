@@ -88,32 +88,17 @@ fn find_nearest(world: &World, pipeline: &Pipeline, format: DepthFormat, frame: 
     let width = pipeline.width();
     let mut depth = DepthBuffer::new(width, pipeline.height(), format);
     let pixels = width as usize * ROWS_IN_A_BAND as usize;
-    let parts = frame
-        .visible
-        .chunks_mut(pixels)
-        .zip(frame.shaded.chunks_mut(pixels));
+    let parts = frame.visible.chunks_mut(pixels).zip(frame.shaded.chunks_mut(pixels));
     let bands = depth.bands_mut(ROWS_IN_A_BAND).zip(parts);
-    let mut bands: Vec<_> = bands
-        .map(|(depth, (visible, shaded))| Band {
-            depth,
-            visible,
-            shaded,
-        })
-        .collect();
-    in_batches(world, pipeline, |batches| {
-        bands.par_iter_mut().for_each(|band| band.draw(batches, width))
-    });
+    let mut bands: Vec<_> = bands.map(|(depth, (visible, shaded))| Band { depth, visible, shaded }).collect();
+    in_batches(world, pipeline, |batches| bands.par_iter_mut().for_each(|band| band.draw(batches, width)));
 }
 
 impl Band<'_> {
     fn draw(&mut self, batches: &[Batch], width: u32) {
         let rows = self.depth.rows();
         for batch in batches.iter().filter(|batch| overlap(&batch.rows, &rows)) {
-            for triangle in batch
-                .triangles
-                .iter()
-                .filter(|triangle| overlap(&triangle.rows, &rows))
-            {
+            for triangle in batch.triangles.iter().filter(|triangle| overlap(&triangle.rows, &rows)) {
                 zbuffer::rasterize_rows(&triangle.on_screen, width, rows.clone(), |fragment| {
                     self.test(triangle, &fragment);
                 });
@@ -125,10 +110,7 @@ impl Band<'_> {
         let Fragment { i, j, z, .. } = *fragment;
         if self.depth.test_and_set(i, j, z) {
             let pixel = self.depth.index(i, j);
-            self.visible[pixel] = Some(Visible::of_fragment(
-                (triangle.object, triangle.triangle),
-                fragment,
-            ));
+            self.visible[pixel] = Some(Visible::of_fragment((triangle.object, triangle.triangle), fragment));
             self.shaded[pixel] += 1;
         }
     }
@@ -144,36 +126,19 @@ fn paint(world: &World, pipeline: &Pipeline, frame: &mut Frame) {
         }
     });
     let plan = painter::plan(&triangles);
-    painter::for_each_fragment(
-        &plan,
-        &triangles,
-        pipeline.width(),
-        pipeline.height(),
-        |k, fragment| {
-            let pixel = frame.index(fragment.i, fragment.j);
-            frame.visible[pixel] = Some(Visible::of_fragment(names[k], &fragment));
-            frame.shaded[pixel] += 1;
-        },
-    );
-    let cycles = plan
-        .cycles
-        .iter()
-        .map(|cycle| cycle.polygons.iter().map(|k| names[*k]).collect())
-        .collect();
-    frame.painter = Some(PainterReport {
-        cycles,
-        splits: plan.splits,
+    painter::for_each_fragment(&plan, &triangles, pipeline.width(), pipeline.height(), |k, fragment| {
+        let pixel = frame.index(fragment.i, fragment.j);
+        frame.visible[pixel] = Some(Visible::of_fragment(names[k], &fragment));
+        frame.shaded[pixel] += 1;
     });
+    let cycles = plan.cycles.iter().map(|cycle| cycle.polygons.iter().map(|k| names[*k]).collect()).collect();
+    frame.painter = Some(PainterReport { cycles, splits: plan.splits });
 }
 
 /// Step 3: colours and normals of what is visible, row by row.
 fn color_what_is_visible(world: &World, lighting: Lighting, shading: Shading, frame: &mut Frame) {
     let width = frame.image.width() as usize;
-    let rows = frame
-        .image
-        .pixels_mut()
-        .par_chunks_mut(width)
-        .zip(frame.visible.par_chunks_mut(width));
+    let rows = frame.image.pixels_mut().par_chunks_mut(width).zip(frame.visible.par_chunks_mut(width));
     rows.for_each(|(colors, row)| color_row(world.objects, lighting, shading, colors, row));
 }
 

@@ -41,11 +41,7 @@ impl Object<'_> {
     pub fn material(&self, k: usize) -> Material {
         assert!(k < self.mesh.len(), "triangle {k} of {}", self.mesh.len());
         let index = self.mesh.material(k) as usize;
-        self.materials
-            .get(index)
-            .or(self.materials.last())
-            .copied()
-            .unwrap_or_default()
+        self.materials.get(index).or(self.materials.last()).copied().unwrap_or_default()
     }
 }
 
@@ -53,11 +49,7 @@ impl<'a> World<'a> {
     /// The light on this world as the camera's eye sees it.
     #[must_use]
     pub fn lighting(&self, pipeline: &Pipeline) -> Lighting<'a> {
-        Lighting {
-            lights: self.lights,
-            highlight: self.highlight,
-            eye: pipeline.camera().eye(),
-        }
+        Lighting { lights: self.lights, highlight: self.highlight, eye: pipeline.camera().eye() }
     }
 
     /// # Panics
@@ -65,10 +57,7 @@ impl<'a> World<'a> {
     pub(crate) fn check(&self) {
         for (k, object) in self.objects.iter().enumerate() {
             let matrix = object.world_from_object;
-            assert!(
-                matrix.is_finite(),
-                "object {k} has a matrix that is not finite: {matrix}"
-            );
+            assert!(matrix.is_finite(), "object {k} has a matrix that is not finite: {matrix}");
         }
     }
 }
@@ -92,13 +81,7 @@ impl Lighting<'_> {
     #[must_use]
     pub fn color(&self, material: &Material, p_world: Vec3, n: Vec3) -> Rgb {
         let to_eye = (self.eye - p_world).normalize_or(n);
-        lit(
-            material,
-            self.lights,
-            self.highlight,
-            &SurfacePoint { p_world, n, to_eye },
-            |_| true,
-        )
+        lit(material, self.lights, self.highlight, &SurfacePoint { p_world, n, to_eye }, |_| true)
     }
 }
 
@@ -110,65 +93,36 @@ mod tests {
 
     fn two_triangles() -> Mesh {
         let positions = vec![Vec3::ZERO, vec3(2.0, 0.0, 0.0), vec3(0.0, 3.0, 0.0)];
-        Mesh::new(positions, vec![[0, 1, 2]; 2])
-            .and_then(|mesh| mesh.with_materials(vec![0, 7]))
-            .unwrap()
+        Mesh::new(positions, vec![[0, 1, 2]; 2]).and_then(|mesh| mesh.with_materials(vec![0, 7])).unwrap()
     }
 
     #[test]
     fn a_material_beyond_the_list_is_its_last_and_of_an_empty_list_the_default() {
         let mesh = two_triangles();
         let materials = [1.0, 2.0, 3.0].map(|exponent| Material::new(vec3(0.1, 0.2, 0.3), exponent));
-        let object = |materials| Object {
-            mesh: &mesh,
-            world_from_object: Mat4::IDENTITY,
-            materials,
-        };
-        assert_eq!(
-            [0, 1].map(|k| object(&materials).material(k).exponent),
-            [1.0, 3.0]
-        );
+        let object = |materials| Object { mesh: &mesh, world_from_object: Mat4::IDENTITY, materials };
+        assert_eq!([0, 1].map(|k| object(&materials).material(k).exponent), [1.0, 3.0]);
         assert_eq!(object(&[]).material(1), Material::default());
     }
 
     #[test]
     fn a_surface_at_the_eye_has_a_color() {
-        let lights = [Light::Directional {
-            to_light: Vec3::Z,
-            color: Vec3::ONE,
-        }];
+        let lights = [Light::Directional { to_light: Vec3::Z, color: Vec3::ONE }];
         let eye = vec3(1.0, 2.0, 3.0);
         let color = |highlight| {
             let material = Material::new(vec3(0.5, 0.25, 0.0), 9.0);
-            Lighting {
-                lights: &lights,
-                highlight,
-                eye,
-            }
-            .color(&material, eye, Vec3::Z)
+            Lighting { lights: &lights, highlight, eye }.color(&material, eye, Vec3::Z)
         };
-        assert_eq!(
-            [Highlight::Blinn, Highlight::Phong].map(color),
-            [vec3(1.5, 1.25, 1.0); 2]
-        );
+        assert_eq!([Highlight::Blinn, Highlight::Phong].map(color), [vec3(1.5, 1.25, 1.0); 2]);
     }
 
     #[test]
     #[should_panic(expected = "object 1 has a matrix that is not finite")]
     fn a_matrix_with_a_nan_is_the_callers_mistake() {
         let mesh = two_triangles();
-        let object = |scale| Object {
-            mesh: &mesh,
-            world_from_object: Mat4::IDENTITY * scale,
-            materials: &[],
-        };
+        let object =
+            |scale| Object { mesh: &mesh, world_from_object: Mat4::IDENTITY * scale, materials: &[] };
         let objects = [object(1.0), object(f32::NAN)];
-        World {
-            objects: &objects,
-            lights: &[],
-            background: Rgb::ZERO,
-            highlight: Highlight::Blinn,
-        }
-        .check();
+        World { objects: &objects, lights: &[], background: Rgb::ZERO, highlight: Highlight::Blinn }.check();
     }
 }

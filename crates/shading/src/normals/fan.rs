@@ -27,10 +27,7 @@ impl Fan {
         corners: &[Corner],
         faces: &[Option<Vec3>],
     ) -> Self {
-        let mut fan = Self {
-            blades: Vec::new(),
-            spokes: Vec::new(),
-        };
+        let mut fan = Self { blades: Vec::new(), spokes: Vec::new() };
         for corner in corners {
             let Some(n) = faces[corner.triangle as usize] else {
                 continue;
@@ -43,11 +40,7 @@ impl Fan {
             fan.spokes.push((vertices.of_position[next], to_next, blade));
             fan.spokes.push((vertices.of_position[last], to_last, blade));
             let angle = to_next.cross(to_last).length().atan2(to_next.dot(to_last));
-            fan.blades.push(Blade {
-                corner: *corner,
-                n: n.as_dvec3(),
-                angle,
-            });
+            fan.blades.push(Blade { corner: *corner, n: n.as_dvec3(), angle });
         }
         fan.spokes.sort_by_key(|(far_end, _, blade)| (*far_end, *blade));
         fan
@@ -115,10 +108,7 @@ impl Fan {
         let at_vertex = self.blades.first().map(|blade| blade.corner);
         let mut index =
             at_vertex.map(|corner| normals.triangles[corner.triangle as usize][corner.at as usize]);
-        for corner in corners
-            .iter()
-            .filter(|corner| faces[corner.triangle as usize].is_none())
-        {
+        for corner in corners.iter().filter(|corner| faces[corner.triangle as usize].is_none()) {
             let index = *index.get_or_insert_with(|| append(normals, Vec3::ZERO));
             normals.triangles[corner.triangle as usize][corner.at as usize] = index;
         }

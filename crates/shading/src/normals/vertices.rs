@@ -28,9 +28,7 @@ impl Vertices {
         let vertex_count = of_position.iter().max().map_or(0, |last| *last as usize + 1);
         let corners = || {
             (0..).zip(mesh.triangles()).flat_map(|(triangle, t)| {
-                (0..)
-                    .zip(t)
-                    .map(move |(at, position)| (*position, Corner { triangle, at }))
+                (0..).zip(t).map(move |(at, position)| (*position, Corner { triangle, at }))
             })
         };
         // Counting sort: how many corners each vertex has, then where they begin, then the corners themselves.
@@ -44,11 +42,7 @@ impl Vertices {
             sorted[*slot] = corner;
             *slot += 1;
         }
-        Self {
-            of_position,
-            corners: sorted,
-            begins,
-        }
+        Self { of_position, corners: sorted, begins }
     }
 
     /// The corners of each vertex.
@@ -63,9 +57,7 @@ fn merged(positions: &[Vec3]) -> Vec<u32> {
     let number = |p: &Vec3| {
         let next = numbers.len() as u32;
         // Adding 0 turns −0 into 0: equal coordinates then have equal bits.
-        *numbers
-            .entry((*p + 0.0).to_array().map(f32::to_bits))
-            .or_insert(next)
+        *numbers.entry((*p + 0.0).to_array().map(f32::to_bits)).or_insert(next)
     };
     positions.iter().map(number).collect()
 }

@@ -24,65 +24,31 @@ impl Model {
         let objects: Vec<_> = self
             .objects
             .iter()
-            .map(|(mesh, matrix)| Object {
-                mesh,
-                world_from_object: *matrix,
-                materials: &self.materials,
-            })
+            .map(|(mesh, matrix)| Object { mesh, world_from_object: *matrix, materials: &self.materials })
             .collect();
         let background = Rgb::new(0.1, 0.2, 0.4);
-        look(&World {
-            objects: &objects,
-            lights: &self.lights,
-            background,
-            highlight: Highlight::Blinn,
-        })
+        look(&World { objects: &objects, lights: &self.lights, background, highlight: Highlight::Blinn })
     }
 }
 
 /// One to three objects near the origin, seen from eight units away; the near plane cuts some of them.
 pub(crate) fn model() -> impl Strategy<Value = Model> {
     let objects = prop::collection::vec((mesh(), strategy::affine(1.5)), 1..4);
-    (
-        objects,
-        prop::collection::vec(material(), 0..3),
-        lights(),
-        pipeline(),
-    )
-        .prop_map(|(objects, materials, lights, pipeline)| Model {
-            objects,
-            materials,
-            lights,
-            pipeline,
-        })
+    (objects, prop::collection::vec(material(), 0..3), lights(), pipeline())
+        .prop_map(|(objects, materials, lights, pipeline)| Model { objects, materials, lights, pipeline })
 }
 
 /// A ball, a box, a ring or loose triangles; every second one without normals.
 pub(crate) fn mesh() -> impl Strategy<Value = Mesh> {
     let loose = prop::collection::vec(strategy::triangle(2.0), 1..8).prop_map(|triangles| {
         let positions = triangles.iter().flat_map(geometry::Triangle::corners).collect();
-        Mesh::new(
-            positions,
-            (0..triangles.len() as u32)
-                .map(|k| [3 * k, 3 * k + 1, 3 * k + 2])
-                .collect(),
-        )
-        .unwrap()
+        Mesh::new(positions, (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect())
+            .unwrap()
     });
-    let shapes = [
-        icosphere(0),
-        icosphere(1),
-        cuboid(vec3(1.0, 2.0, 3.0), 0),
-        torus(1.5, 0.5, 0),
-    ];
+    let shapes = [icosphere(0), icosphere(1), cuboid(vec3(1.0, 2.0, 3.0), 0), torus(1.5, 0.5, 0)];
     let shape = prop::sample::select(shapes.map(Result::unwrap).to_vec());
-    (prop_oneof![loose, shape], any::<bool>()).prop_map(|(mesh, without_normals)| {
-        if without_normals {
-            mesh.without_normals()
-        } else {
-            mesh
-        }
-    })
+    (prop_oneof![loose, shape], any::<bool>())
+        .prop_map(|(mesh, without_normals)| if without_normals { mesh.without_normals() } else { mesh })
 }
 
 pub(crate) fn color() -> impl Strategy<Value = Rgb> + Clone {
@@ -99,24 +65,15 @@ pub(crate) fn material() -> impl Strategy<Value = Material> + Clone {
 
 /// An ambient, a directional and a point light.
 pub(crate) fn lights() -> impl Strategy<Value = Vec<Light>> + Clone {
-    (
-        color(),
-        (strategy::unit_vector(), color()),
-        (strategy::unit_vector(), color()),
-    )
-        .prop_map(|(ambient, (to_light, directional), (way, point))| {
+    (color(), (strategy::unit_vector(), color()), (strategy::unit_vector(), color())).prop_map(
+        |(ambient, (to_light, directional), (way, point))| {
             vec![
                 Light::Ambient { color: 0.2 * ambient },
-                Light::Directional {
-                    to_light,
-                    color: directional,
-                },
-                Light::Point {
-                    position: 9.0 * way,
-                    color: point,
-                },
+                Light::Directional { to_light, color: directional },
+                Light::Point { position: 9.0 * way, color: point },
             ]
-        })
+        },
+    )
 }
 
 /// 45 × 37 pixels: three bands of rows, the last of them lower.
