@@ -16,14 +16,8 @@ const HEIGHT: u32 = 480;
 
 fn on_screen(corners: [Vec3; 3]) -> ScreenTriangle {
     let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
-    let vertex = |k: usize| ScreenVertex {
-        position: corners[k],
-        inv_w: -1.0,
-        weights: weights[k],
-    };
-    ScreenTriangle {
-        vertices: [vertex(0), vertex(1), vertex(2)],
-    }
+    let vertex = |k: usize| ScreenVertex { position: corners[k], inv_w: -1.0, weights: weights[k] };
+    ScreenTriangle { vertices: [vertex(0), vertex(1), vertex(2)] }
 }
 
 /// Numbers from 0 to 1 that fill the interval evenly: the multiples of an irrational number.
@@ -78,33 +72,19 @@ fn fill(triangles: &[ScreenTriangle], depth: &mut [f32]) {
 
 fn painter_against_depth_buffer(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("painter_against_depth_buffer");
-    group
-        .sample_size(20)
-        .measurement_time(Duration::from_secs(2))
-        .warm_up_time(Duration::from_millis(300));
+    group.sample_size(20).measurement_time(Duration::from_secs(2)).warm_up_time(Duration::from_millis(300));
     let mut depth = vec![0.0; (WIDTH * HEIGHT) as usize];
     let scattered = [100, 1_000, 10_000].map(|count| (format!("scattered_{count}"), scattered(count)));
     let mesh = mesh();
     let mesh = (format!("mesh_{}", mesh.len()), mesh);
     for (name, triangles) in scattered.into_iter().chain([mesh]) {
-        assert!(
-            painter::order(&triangles).is_ok(),
-            "{name}: a search that ends at a cycle measures nothing"
-        );
-        group.bench_with_input(
-            BenchmarkId::new("order", &name),
-            &triangles,
-            |bencher, triangles| {
-                bencher.iter(|| painter::order(black_box(triangles)));
-            },
-        );
-        group.bench_with_input(
-            BenchmarkId::new("depth_buffer", &name),
-            &triangles,
-            |bencher, triangles| {
-                bencher.iter(|| fill(black_box(triangles), &mut depth));
-            },
-        );
+        assert!(painter::order(&triangles).is_ok(), "{name}: a search that ends at a cycle measures nothing");
+        group.bench_with_input(BenchmarkId::new("order", &name), &triangles, |bencher, triangles| {
+            bencher.iter(|| painter::order(black_box(triangles)));
+        });
+        group.bench_with_input(BenchmarkId::new("depth_buffer", &name), &triangles, |bencher, triangles| {
+            bencher.iter(|| fill(black_box(triangles), &mut depth));
+        });
     }
     group.finish();
 }

@@ -14,14 +14,8 @@ const HEIGHT: u32 = 48;
 
 fn on_screen(corners: [Vec3; 3]) -> ScreenTriangle {
     let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
-    let vertex = |k: usize| ScreenVertex {
-        position: corners[k],
-        inv_w: -1.0,
-        weights: weights[k],
-    };
-    ScreenTriangle {
-        vertices: [vertex(0), vertex(1), vertex(2)],
-    }
+    let vertex = |k: usize| ScreenVertex { position: corners[k], inv_w: -1.0, weights: weights[k] };
+    ScreenTriangle { vertices: [vertex(0), vertex(1), vertex(2)] }
 }
 
 /// A position on a coarse grid, so that triangles often touch, share corners and have no area; a little off screen too.
@@ -32,18 +26,12 @@ fn position() -> impl Strategy<Value = (f32, f32)> {
 /// A triangle anywhere; its depths differ by at most `thickness` from that of its first corner.
 fn triangle(thickness: f32) -> impl Strategy<Value = ScreenTriangle> {
     let slope = -thickness..=thickness;
-    (
-        position(),
-        position(),
-        position(),
-        -1.0_f32..1.0,
-        slope.clone(),
-        slope,
-    )
-        .prop_map(|(a, b, c, z, to_b, to_c)| {
+    (position(), position(), position(), -1.0_f32..1.0, slope.clone(), slope).prop_map(
+        |(a, b, c, z, to_b, to_c)| {
             let at = |(x, y): (f32, f32), z: f32| vec3(x, y, z.clamp(-1.0, 1.0));
             on_screen([at(a, z), at(b, z + to_b), at(c, z + to_c)])
-        })
+        },
+    )
 }
 
 fn triangles(count: std::ops::Range<usize>, thickness: f32) -> impl Strategy<Value = Vec<ScreenTriangle>> {
@@ -137,10 +125,7 @@ impl Pixels {
     /// The tolerance is a part in four million of the depths' range: a law that needs it often hides something.
     fn assert_nearly_all_decided(&self) {
         let (covered, undecided) = (self.covered.get(), self.undecided.get());
-        assert!(
-            1000 * undecided <= covered,
-            "{undecided} of {covered} pixels differ within the tolerance"
-        );
+        assert!(1000 * undecided <= covered, "{undecided} of {covered} pixels differ within the tolerance");
     }
 }
 
@@ -154,19 +139,14 @@ fn opposite(relation: Relation) -> Relation {
 
 #[test]
 fn exact_sides_say_the_same_as_clipping_in_floating_point() {
-    let shared_corner = (
-        triangle(2.0),
-        triangle(2.0),
-        0..3_usize,
-        0..3_usize,
-        any::<bool>(),
-    )
-        .prop_map(|(a, mut b, from, to, shares)| {
+    let shared_corner = (triangle(2.0), triangle(2.0), 0..3_usize, 0..3_usize, any::<bool>()).prop_map(
+        |(a, mut b, from, to, shares)| {
             if shares {
                 b.vertices[to] = a.vertices[from];
             }
             (a, b)
-        });
+        },
+    );
     Law::new("what hides what does not depend on how it is found, nor on who asks")
         .cases(4000)
         .demand("free", 0.2)
@@ -192,10 +172,9 @@ fn ensure_right_order(order: &[usize], triangles: &[ScreenTriangle]) -> Outcome 
     for (first, a) in order.iter().enumerate() {
         for b in &order[first + 1..] {
             let relation = painter::relation_by_clipping(&triangles[*a], &triangles[*b]);
-            ensure(
-                !matches!(relation, Relation::InFront | Relation::Piercing),
-                || format!("{a} is drawn before {b}, but it is {relation:?}"),
-            )?;
+            ensure(!matches!(relation, Relation::InFront | Relation::Piercing), || {
+                format!("{a} is drawn before {b}, but it is {relation:?}")
+            })?;
         }
     }
     Ok(())
@@ -207,11 +186,7 @@ fn ensure_real_cycle(cycle: &OcclusionCycle, triangles: &[ScreenTriangle]) -> Ou
     for (k, hidden) in polygons.iter().enumerate() {
         let hiding = polygons[(k + 1) % polygons.len()];
         let relation = painter::relation_by_clipping(&triangles[*hidden], &triangles[hiding]);
-        let expected = if cycle.is_piercing() {
-            Relation::Piercing
-        } else {
-            Relation::Behind
-        };
+        let expected = if cycle.is_piercing() { Relation::Piercing } else { Relation::Behind };
         ensure(relation == expected, || {
             format!("{hidden} is not hidden by {hiding} in {polygons:?}: {relation:?}")
         })?;
@@ -258,10 +233,7 @@ fn painting_in_order_gives_the_picture_of_the_depth_buffer() {
             seen.class("an order exists", true);
             let nearest = nearest(&triangles);
             let by_depth = painted(&painter::order_by_depth(&triangles), &triangles);
-            seen.class(
-                "sorting by depth fails",
-                Pixels::default().ensure_same(&by_depth, &nearest).is_err(),
-            );
+            seen.class("sorting by depth fails", Pixels::default().ensure_same(&by_depth, &nearest).is_err());
             pixels.ensure_same(&painted(&order, &triangles), &nearest)
         });
     pixels.assert_nearly_all_decided();
@@ -288,9 +260,7 @@ fn ensure_plan_is_right(pixels: &Pixels, triangles: &[ScreenTriangle], seen: &Cl
     seen.class("cut", plan.splits > 0);
     prop_assert_eq!(plan.pieces.len(), triangles.len() + plan.splits);
     prop_assert_eq!(plan.cycles.is_empty(), painter::order(triangles).is_ok());
-    plan.cycles
-        .iter()
-        .try_for_each(|cycle| ensure_real_cycle(cycle, triangles))?;
+    plan.cycles.iter().try_for_each(|cycle| ensure_real_cycle(cycle, triangles))?;
     ensure_every_fragment_once(&plan, triangles)?;
     pixels.ensure_same(&painted_by_plan(&plan, triangles), &nearest(triangles))
 }
@@ -300,9 +270,7 @@ fn a_plan_draws_polygons_that_pierce_each_other_right() {
     let pixels = Pixels::default();
     Law::new("a plan has every fragment of every triangle once and shows the nearest")
         .demand("cut", 0.7)
-        .holds_for(triangles(2..9, 2.0), |triangles, seen| {
-            ensure_plan_is_right(&pixels, &triangles, seen)
-        });
+        .holds_for(triangles(2..9, 2.0), |triangles, seen| ensure_plan_is_right(&pixels, &triangles, seen));
     pixels.assert_nearly_all_decided();
 }
 
@@ -310,25 +278,15 @@ fn a_plan_draws_polygons_that_pierce_each_other_right() {
 fn cycle_of_three() -> impl Strategy<Value = ([usize; 3], Vec<ScreenTriangle>)> {
     let corners = [
         [vec3(4.0, 6.0, -0.5), vec3(58.0, 9.0, 0.5), vec3(4.0, 16.0, -0.5)],
-        [
-            vec3(46.0, 3.0, -0.5),
-            vec3(56.0, 4.0, -0.5),
-            vec3(26.0, 46.0, 0.5),
-        ],
-        [
-            vec3(40.0, 40.0, -0.5),
-            vec3(32.0, 48.0, -0.5),
-            vec3(6.0, 2.0, 0.5),
-        ],
+        [vec3(46.0, 3.0, -0.5), vec3(56.0, 4.0, -0.5), vec3(26.0, 46.0, 0.5)],
+        [vec3(40.0, 40.0, -0.5), vec3(32.0, 48.0, -0.5), vec3(6.0, 2.0, 0.5)],
     ];
     let others = prop::collection::vec((position(), position(), position(), 0.7_f32..0.99), 0..3);
     let order = Just(vec![0, 1, 2]).prop_shuffle();
     (order, prop::collection::vec(strategy::point(1.0), 9), others).prop_map(move |(order, moves, others)| {
         let moved = |k: usize, c: usize| corners[k][c] + moves[3 * k + c] * vec3(0.9, 0.9, 0.05);
-        let mut triangles: Vec<_> = order
-            .iter()
-            .map(|k| on_screen([moved(*k, 0), moved(*k, 1), moved(*k, 2)]))
-            .collect();
+        let mut triangles: Vec<_> =
+            order.iter().map(|k| on_screen([moved(*k, 0), moved(*k, 1), moved(*k, 2)])).collect();
         for (a, b, c, z) in others {
             triangles.push(on_screen([a, b, c].map(|(x, y)| vec3(x, y, z))));
         }
@@ -340,23 +298,18 @@ fn cycle_of_three() -> impl Strategy<Value = ([usize; 3], Vec<ScreenTriangle>)> 
 #[test]
 fn the_cycle_of_three_is_named_cut_and_drawn_right() {
     let pixels = Pixels::default();
-    Law::new("the three long triangles of Fig 8.9 are found, named and cut")
-        .demand("cut", 1.0)
-        .holds_for(cycle_of_three(), |([first, second, third], triangles), seen| {
+    Law::new("the three long triangles of Fig 8.9 are found, named and cut").demand("cut", 1.0).holds_for(
+        cycle_of_three(),
+        |([first, second, third], triangles), seen| {
             // Each lies over the next, so each is hidden by the one before.
             let hidden_to_hiding = [third, second, first];
             let cycle = painter::order(&triangles).expect_err("there is no order");
-            let start = hidden_to_hiding
-                .iter()
-                .position(|k| *k == cycle.polygons[0])
-                .unwrap_or(0);
-            prop_assert_eq!(
-                &cycle.polygons,
-                &[0, 1, 2].map(|k| hidden_to_hiding[(start + k) % 3]).to_vec()
-            );
+            let start = hidden_to_hiding.iter().position(|k| *k == cycle.polygons[0]).unwrap_or(0);
+            prop_assert_eq!(&cycle.polygons, &[0, 1, 2].map(|k| hidden_to_hiding[(start + k) % 3]).to_vec());
             prop_assert_eq!(painter::plan(&triangles).cycles, vec![cycle]);
             ensure_plan_is_right(&pixels, &triangles, seen)
-        });
+        },
+    );
     pixels.assert_nearly_all_decided();
 }
 
@@ -365,9 +318,7 @@ fn seen_from(mesh: &Mesh, turn: Mat3) -> Vec<ScreenTriangle> {
         let p = turn * p;
         vec3(31.5 + 21.0 * p.x, 24.25 + 21.0 * p.y, 0.9 * p.z)
     };
-    (0..mesh.len())
-        .map(|k| on_screen(mesh.triangle(k).corners().map(corner)))
-        .collect()
+    (0..mesh.len()).map(|k| on_screen(mesh.triangle(k).corners().map(corner))).collect()
 }
 
 #[test]
@@ -375,18 +326,14 @@ fn neighbours_in_a_mesh_do_not_constrain_each_other_and_a_convex_one_has_an_orde
     let ball = shapes::icosphere(2).expect("a small level");
     let neighbours: Vec<_> = (0..ball.len())
         .flat_map(|a| (0..a).map(move |b| (a, b)))
-        .filter(|(a, b)| {
-            ball.triangles()[*a]
-                .iter()
-                .any(|corner| ball.triangles()[*b].contains(corner))
-        })
+        .filter(|(a, b)| ball.triangles()[*a].iter().any(|corner| ball.triangles()[*b].contains(corner)))
         .collect();
     // A triangle touches 12 others; the 60 at the icosahedron's corners, where five meet, touch 11.
     assert_eq!(neighbours.len(), (260 * 12 + 60 * 11) / 2);
     let pixels = Pixels::default();
-    Law::new("a closed convex mesh has an order, and its neighbours are free")
-        .cases(40)
-        .holds_for(strategy::rotation(), |turn, _| {
+    Law::new("a closed convex mesh has an order, and its neighbours are free").cases(40).holds_for(
+        strategy::rotation(),
+        |turn, _| {
             let triangles = seen_from(&ball, turn);
             for (a, b) in &neighbours {
                 let (a, b) = (&triangles[*a], &triangles[*b]);
@@ -396,7 +343,8 @@ fn neighbours_in_a_mesh_do_not_constrain_each_other_and_a_convex_one_has_an_orde
             let order = painter::order(&triangles).map_err(|cycle| TestCaseError::fail(cycle.to_string()))?;
             ensure_right_order(&order, &triangles)?;
             pixels.ensure_same(&painted(&order, &triangles), &nearest(&triangles))
-        });
+        },
+    );
     pixels.assert_nearly_all_decided();
 }
 
@@ -405,11 +353,7 @@ fn sheets(count: usize) -> Vec<ScreenTriangle> {
     let sheet = |k: usize| {
         // 1234577 is prime, so the sheets come in a mixed-up order, each depth once.
         let z = -0.8 + 1.5 * ((k * 1_234_577) % count) as f32 / count as f32;
-        on_screen([
-            vec3(-70.0, -9.0, z + 0.1),
-            vec3(140.0, -5.0, z - 0.1),
-            vec3(20.0, 130.0, z),
-        ])
+        on_screen([vec3(-70.0, -9.0, z + 0.1), vec3(140.0, -5.0, z - 0.1), vec3(20.0, 130.0, z)])
     };
     (0..count).map(sheet).collect()
 }

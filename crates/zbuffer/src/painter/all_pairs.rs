@@ -35,10 +35,7 @@ mod tests {
     #[test]
     fn what_hides_nothing_is_drawn_first() {
         let flat = |z: f32| triangle([[0.0, 1.0, z], [9.0, 2.0, z], [3.0, 7.0, z]]);
-        assert_eq!(
-            order_of_all_pairs(&[flat(0.3), flat(-0.2), flat(0.1)]),
-            Some(vec![1, 2, 0])
-        );
+        assert_eq!(order_of_all_pairs(&[flat(0.3), flat(-0.2), flat(0.1)]), Some(vec![1, 2, 0]));
     }
 
     #[test]

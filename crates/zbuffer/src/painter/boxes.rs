@@ -27,15 +27,9 @@ const NONE: usize = usize::MAX;
 impl Boxes {
     /// The tree over these boxes; item k has box k, and without box it is never found.
     pub(super) fn new(bounds: &[Option<Bounds>]) -> Self {
-        let mut items: Vec<(usize, Bounds)> = bounds
-            .iter()
-            .enumerate()
-            .filter_map(|(item, bounds)| Some((item, (*bounds)?)))
-            .collect();
-        let mut boxes = Self {
-            nodes: Vec::with_capacity(2 * items.len()),
-            leaves: vec![NONE; bounds.len()],
-        };
+        let mut items: Vec<(usize, Bounds)> =
+            bounds.iter().enumerate().filter_map(|(item, bounds)| Some((item, (*bounds)?))).collect();
+        let mut boxes = Self { nodes: Vec::with_capacity(2 * items.len()), leaves: vec![NONE; bounds.len()] };
         if !items.is_empty() {
             boxes.grow(&mut items, NONE);
         }
@@ -47,13 +41,7 @@ impl Boxes {
         let bounds = items.iter().map(|(_, bounds)| *bounds).reduce(|a, b| a.union(&b));
         let bounds = bounds.expect("a node holds at least one item");
         let item = (items.len() == 1).then(|| items[0].0);
-        self.nodes.push(Node {
-            bounds,
-            skip: 0,
-            parent,
-            left: items.len(),
-            item,
-        });
+        self.nodes.push(Node { bounds, skip: 0, parent, left: items.len(), item });
         if let Some(item) = item {
             self.leaves[item] = node;
         } else {
@@ -127,10 +115,7 @@ mod tests {
     fn column(k: usize) -> Option<Bounds> {
         let x = 3.0 * k as f64;
         // Boxes 5 wide, so each overlaps its neighbours; deeper and deeper.
-        Some(Bounds {
-            min: dvec3(x, 0.0, -x),
-            max: dvec3(x + 5.0, 7.0, -x + 0.5),
-        })
+        Some(Bounds { min: dvec3(x, 0.0, -x), max: dvec3(x + 5.0, 7.0, -x + 0.5) })
     }
 
     fn found(boxes: &Boxes, front: &Bounds) -> Vec<usize> {

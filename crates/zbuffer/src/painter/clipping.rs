@@ -67,11 +67,7 @@ fn has_area(polygon: &[DVec2]) -> bool {
         return false;
     };
     let arms = polygon.iter().map(|corner| *corner - *first);
-    let doubled_area: f64 = arms
-        .clone()
-        .zip(arms.clone().skip(1))
-        .map(|(a, b)| a.perp_dot(b))
-        .sum();
+    let doubled_area: f64 = arms.clone().zip(arms.clone().skip(1)).map(|(a, b)| a.perp_dot(b)).sum();
     let extent = arms.map(|arm| arm.abs().max_element()).fold(0.0, f64::max);
     NO_AREA * extent * extent < doubled_area
 }
@@ -87,16 +83,8 @@ mod tests {
         let q = [dvec2(1.0, -1.0), dvec2(9.0, 2.0), dvec2(1.0, 2.0)];
         let common = intersection(&p, &q);
         assert_eq!(common.len(), 5);
-        for corner in [
-            dvec2(1.0, 0.0),
-            dvec2(11.0 / 3.0, 0.0),
-            dvec2(4.0, 2.0),
-            dvec2(1.0, 2.0),
-        ] {
-            assert!(
-                common.iter().any(|c| c.distance(corner) < 1e-14),
-                "{corner} is missing in {common:?}"
-            );
+        for corner in [dvec2(1.0, 0.0), dvec2(11.0 / 3.0, 0.0), dvec2(4.0, 2.0), dvec2(1.0, 2.0)] {
+            assert!(common.iter().any(|c| c.distance(corner) < 1e-14), "{corner} is missing in {common:?}");
         }
     }
 

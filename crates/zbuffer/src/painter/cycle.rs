@@ -22,11 +22,7 @@ impl OcclusionCycle {
     /// A cycle in which each polygon hides a part of the next.
     fn from_front_to_back(mut polygons: Vec<usize>) -> Self {
         polygons.reverse();
-        let smallest = polygons
-            .iter()
-            .enumerate()
-            .min_by_key(|(_, polygon)| **polygon)
-            .map_or(0, |(k, _)| k);
+        let smallest = polygons.iter().enumerate().min_by_key(|(_, polygon)| **polygon).map_or(0, |(k, _)| k);
         polygons.rotate_left(smallest);
         Self { polygons }
     }
@@ -35,9 +31,7 @@ impl OcclusionCycle {
     pub(super) fn piercing_pair(&self, pierce: impl Fn(usize, usize) -> bool) -> Option<Self> {
         let next = self.polygons.iter().cycle().skip(1);
         let (a, b) = self.polygons.iter().zip(next).find(|(a, b)| pierce(**a, **b))?;
-        Some(Self {
-            polygons: vec![*a.min(b), *a.max(b)],
-        })
+        Some(Self { polygons: vec![*a.min(b), *a.max(b)] })
     }
 
     /// A shortest cycle through `start`, where `behind(p)` names the polygons that p hides in part. `None` if there is
@@ -77,10 +71,7 @@ fn way(start: usize, end: usize, reached_from: &HashMap<usize, usize>) -> Vec<us
 impl fmt::Display for OcclusionCycle {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let [a, b] = self.polygons[..] {
-            return write!(
-                f,
-                "polygons {a} and {b} pass through each other: no order draws them right"
-            );
+            return write!(f, "polygons {a} and {b} pass through each other: no order draws them right");
         }
         let names: Vec<_> = self.polygons.iter().map(ToString::to_string).collect();
         write!(
@@ -114,22 +105,13 @@ mod tests {
             let cycle = OcclusionCycle::shortest_through(start, behind).unwrap();
             assert_eq!(cycle.polygons, [2, 7, 4]);
         }
-        assert_eq!(
-            OcclusionCycle::shortest_through(9, behind).unwrap().polygons,
-            [2, 7, 9, 4]
-        );
+        assert_eq!(OcclusionCycle::shortest_through(9, behind).unwrap().polygons, [2, 7, 9, 4]);
         assert_eq!(OcclusionCycle::shortest_through(5, behind), None);
     }
 
     #[test]
     fn the_message_names_the_polygons() {
-        let cycle = OcclusionCycle {
-            polygons: vec![2, 7, 4],
-        };
-        assert!(
-            cycle
-                .to_string()
-                .starts_with("polygons 2, 7, 4 hide each other in a cycle")
-        );
+        let cycle = OcclusionCycle { polygons: vec![2, 7, 4] };
+        assert!(cycle.to_string().starts_with("polygons 2, 7, 4 hide each other in a cycle"));
     }
 }

@@ -44,15 +44,10 @@ pub fn for_each_fragment(
     mut draw: impl FnMut(usize, Fragment),
 ) {
     for piece in &plan.pieces {
-        rasterize_rows(
-            &triangles[piece.triangle],
-            width,
-            piece.rows(height),
-            |fragment| {
-                if piece.covers(fragment.i, fragment.j) {
-                    draw(piece.triangle, fragment);
-                }
-            },
-        );
+        rasterize_rows(&triangles[piece.triangle], width, piece.rows(height), |fragment| {
+            if piece.covers(fragment.i, fragment.j) {
+                draw(piece.triangle, fragment);
+            }
+        });
     }
 }

@@ -97,20 +97,14 @@ impl Facet {
     pub(super) fn bounds(&self) -> Bounds {
         let [a, b, c] = self.corners;
         let (min, max) = self.depth_range();
-        Bounds {
-            min: a.min(b).min(c).as_dvec2().extend(min),
-            max: a.max(b).max(c).as_dvec2().extend(max),
-        }
+        Bounds { min: a.min(b).min(c).as_dvec2().extend(min), max: a.max(b).max(c).as_dvec2().extend(max) }
     }
 }
 
 impl Bounds {
     /// The box that holds both.
     pub(super) fn union(&self, other: &Self) -> Self {
-        Self {
-            min: self.min.min(other.min),
-            max: self.max.max(other.max),
-        }
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
     /// Whether something in this box can be hidden by something in `front`: they overlap on the screen, a common

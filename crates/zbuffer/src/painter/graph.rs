@@ -41,9 +41,7 @@ impl Graph {
 
     /// What polygon `front` hides in part, by index.
     pub(super) fn behind(&self, front: usize) -> impl Iterator<Item = usize> + use<'_> {
-        self.behind[self.starts[front]..self.starts[front + 1]]
-            .iter()
-            .map(|back| *back as usize)
+        self.behind[self.starts[front]..self.starts[front + 1]].iter().map(|back| *back as usize)
     }
 
     /// All pairs that pass through each other, each once.
@@ -63,9 +61,7 @@ impl Graph {
     }
 
     fn hides(&self, front: usize, back: usize) -> bool {
-        self.behind[self.starts[front]..self.starts[front + 1]]
-            .binary_search(&(back as u32))
-            .is_ok()
+        self.behind[self.starts[front]..self.starts[front + 1]].binary_search(&(back as u32)).is_ok()
     }
 
     /// The strongly connected components, from back to front: one polygon each where an order exists, several where
@@ -158,10 +154,7 @@ mod tests {
         for list in behind {
             starts.push(starts[starts.len() - 1] + list.len());
         }
-        Graph {
-            starts,
-            behind: behind.concat(),
-        }
+        Graph { starts, behind: behind.concat() }
     }
 
     #[test]

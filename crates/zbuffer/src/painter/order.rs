@@ -14,13 +14,8 @@ use crate::screen::ScreenTriangle;
 /// - Result: indices, in the order of drawing. Polygons that begin equally far away keep their order.
 #[must_use]
 pub fn order_by_depth(triangles: &[ScreenTriangle]) -> Vec<usize> {
-    let farthest = |k: &usize| {
-        triangles[*k]
-            .vertices
-            .map(|v| v.position.z)
-            .into_iter()
-            .fold(f32::INFINITY, f32::min)
-    };
+    let farthest =
+        |k: &usize| triangles[*k].vertices.map(|v| v.position.z).into_iter().fold(f32::INFINITY, f32::min);
     let mut order: Vec<usize> = (0..triangles.len()).collect();
     order.sort_by(|a, b| farthest(a).total_cmp(&farthest(b)));
     order
@@ -85,10 +80,7 @@ struct Waiting {
 
 impl<'a> Canvas<'a> {
     fn new(facets: &'a [Option<Facet>]) -> Self {
-        let bounds: Vec<_> = facets
-            .iter()
-            .map(|facet| Some(facet.as_ref()?.bounds()))
-            .collect();
+        let bounds: Vec<_> = facets.iter().map(|facet| Some(facet.as_ref()?.bounds())).collect();
         Self {
             facets,
             boxes: Boxes::new(&bounds),
@@ -124,11 +116,7 @@ impl<'a> Canvas<'a> {
         match &self.facets[polygon] {
             Some(facet) => {
                 self.waits[polygon] = true;
-                stack.push(Waiting {
-                    polygon,
-                    bounds: facet.bounds(),
-                    cursor: 0,
-                });
+                stack.push(Waiting { polygon, bounds: facet.bounds(), cursor: 0 });
             }
             None => self.draw(polygon),
         }
@@ -147,12 +135,7 @@ impl<'a> Canvas<'a> {
         loop {
             let candidate = self.boxes.next_behind(&waiting.bounds, &mut waiting.cursor)?;
             let back = self.facets[candidate].as_ref()?;
-            let hides = || {
-                matches!(
-                    relation_of_facets(back, front),
-                    Relation::Behind | Relation::Piercing
-                )
-            };
+            let hides = || matches!(relation_of_facets(back, front), Relation::Behind | Relation::Piercing);
             if candidate != waiting.polygon && hides() {
                 return Some(candidate);
             }
@@ -164,11 +147,7 @@ impl<'a> Canvas<'a> {
     fn cycle_through(&self, polygon: usize) -> OcclusionCycle {
         let all_behind = |front: usize| {
             let bounds = self.facets[front].as_ref().map(Facet::bounds);
-            let mut search = bounds.map(|bounds| Waiting {
-                polygon: front,
-                bounds,
-                cursor: 0,
-            });
+            let mut search = bounds.map(|bounds| Waiting { polygon: front, bounds, cursor: 0 });
             std::iter::from_fn(move || self.next_behind(search.as_mut()?))
         };
         let cycle = OcclusionCycle::shortest_through(polygon, all_behind)

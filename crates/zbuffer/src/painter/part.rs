@@ -30,11 +30,7 @@ const REACH: f64 = 0.5 * DEPTH_TOLERANCE;
 
 impl Part {
     pub(super) fn whole(triangle: usize, facet: Arc<Facet>) -> Self {
-        Self {
-            piece: Piece::whole(triangle),
-            outline: facet.outline(),
-            facet,
-        }
+        Self { piece: Piece::whole(triangle), outline: facet.outline(), facet }
     }
 
     pub(super) fn triangle(&self) -> usize {
@@ -53,14 +49,8 @@ impl Part {
     pub(super) fn bounds(&self) -> Bounds {
         let whole = self.facet.bounds();
         let start = (whole.max.truncate(), whole.min.truncate());
-        let (min, max) = self
-            .outline
-            .iter()
-            .fold(start, |(min, max), p| (min.min(*p), max.max(*p)));
-        Bounds {
-            min: min.extend(whole.min.z),
-            max: max.extend(whole.max.z),
-        }
+        let (min, max) = self.outline.iter().fold(start, |(min, max), p| (min.min(*p), max.max(*p)));
+        Bounds { min: min.extend(whole.min.z), max: max.extend(whole.max.z) }
     }
 
     /// What this part is to the other.
@@ -90,10 +80,7 @@ impl Part {
 
     /// The halves before and behind the plane of `root`.
     pub(super) fn split(self, root: &Self) -> (Self, Self) {
-        let line = Arc::new(CutLine {
-            ours: *self.facet,
-            theirs: *root.facet,
-        });
+        let line = Arc::new(CutLine { ours: *self.facet, theirs: *root.facet });
         let half = |side: Side, sign: f64| Self {
             piece: self.piece.cut(root.triangle(), side, line.clone()),
             facet: self.facet.clone(),

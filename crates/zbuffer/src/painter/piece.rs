@@ -49,10 +49,7 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 impl Piece {
     /// The whole triangle.
     pub(super) fn whole(triangle: usize) -> Self {
-        Self {
-            triangle,
-            cuts: Vec::new(),
-        }
+        Self { triangle, cuts: Vec::new() }
     }
 
     /// The part of this piece on one side of a line.
@@ -60,10 +57,7 @@ impl Piece {
         let mut cuts = Vec::with_capacity(self.cuts.len() + 1);
         cuts.extend_from_slice(&self.cuts);
         cuts.push(Cut { by, side, line });
-        Self {
-            triangle: self.triangle,
-            cuts,
-        }
+        Self { triangle: self.triangle, cuts }
     }
 
     /// The cuts that made this piece; none if it is the whole triangle.

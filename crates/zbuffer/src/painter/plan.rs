@@ -35,20 +35,15 @@ pub struct Plan {
 #[must_use]
 pub fn plan(triangles: &[ScreenTriangle]) -> Plan {
     match order(triangles) {
-        Ok(order) => Plan {
-            pieces: order.into_iter().map(Piece::whole).collect(),
-            cycles: Vec::new(),
-            splits: 0,
-        },
+        Ok(order) => {
+            Plan { pieces: order.into_iter().map(Piece::whole).collect(), cycles: Vec::new(), splits: 0 }
+        }
         Err(cycle) => plan_with_cuts(triangles, cycle),
     }
 }
 
 fn plan_with_cuts(triangles: &[ScreenTriangle], first_cycle: OcclusionCycle) -> Plan {
-    let facets: Vec<_> = triangles
-        .iter()
-        .map(|triangle| Facet::new(triangle).map(Arc::new))
-        .collect();
+    let facets: Vec<_> = triangles.iter().map(|triangle| Facet::new(triangle).map(Arc::new)).collect();
     let cycles = cycles(&facets).unwrap_or_else(|| vec![first_cycle]);
     let mut untangling = Untangling::default();
     let mut parts = Vec::new();
@@ -60,35 +55,26 @@ fn plan_with_cuts(triangles: &[ScreenTriangle], first_cycle: OcclusionCycle) -> 
         }
     }
     untangling.untangle(parts);
-    Plan {
-        pieces: untangling.pieces,
-        cycles,
-        splits: untangling.splits,
-    }
+    Plan { pieces: untangling.pieces, cycles, splits: untangling.splits }
 }
 
 /// What stands in the way of an order. `None` if there are too many overlaps to keep.
 fn cycles(facets: &[Option<Arc<Facet>>]) -> Option<Vec<OcclusionCycle>> {
-    let parts: Vec<_> = facets
-        .iter()
-        .enumerate()
-        .filter_map(|(k, facet)| Some(Part::whole(k, facet.clone()?)))
-        .collect();
+    let parts: Vec<_> =
+        facets.iter().enumerate().filter_map(|(k, facet)| Some(Part::whole(k, facet.clone()?))).collect();
     let graph = graph_of(&parts)?;
     let name = |k: usize| parts[k].triangle();
     let mut cycles: Vec<_> = graph
         .piercing_pairs()
         .into_iter()
-        .map(|(a, b)| OcclusionCycle {
-            polygons: vec![name(a), name(b)],
-        })
+        .map(|(a, b)| OcclusionCycle { polygons: vec![name(a), name(b)] })
         .collect();
     let rest = graph.without_piercing_pairs();
     for component in rest.components() {
         let cycle = OcclusionCycle::shortest_through(component[0], |front| rest.behind(front));
-        cycles.extend(cycle.map(|cycle| OcclusionCycle {
-            polygons: cycle.polygons.into_iter().map(name).collect(),
-        }));
+        cycles.extend(
+            cycle.map(|cycle| OcclusionCycle { polygons: cycle.polygons.into_iter().map(name).collect() }),
+        );
     }
     Some(cycles)
 }
@@ -161,11 +147,7 @@ fn untangled(parts: Vec<Part>) -> Vec<Task> {
     let mut parts: Vec<_> = parts.into_iter().map(Some).collect();
     let task = |component: Vec<usize>| {
         let mut members: Vec<_> = component.into_iter().filter_map(|k| parts[k].take()).collect();
-        if members.len() == 1 {
-            Task::Draw(members.remove(0))
-        } else {
-            Task::Divide(members)
-        }
+        if members.len() == 1 { Task::Draw(members.remove(0)) } else { Task::Divide(members) }
     };
     let mut tasks: Vec<_> = graph.components().into_iter().map(task).collect();
     tasks.reverse();
@@ -180,12 +162,7 @@ fn best_root(parts: &[Part]) -> usize {
     let mut candidates: Vec<usize> = (0..parts.len()).collect();
     candidates.sort_by_key(|k| std::cmp::Reverse(parts[*k].area_of_triangle()));
     candidates.truncate(CANDIDATES);
-    let cuts = |k: usize| {
-        parts
-            .iter()
-            .filter(|part| part.position(&parts[k]) == Position::Through)
-            .count()
-    };
+    let cuts = |k: usize| parts.iter().filter(|part| part.position(&parts[k]) == Position::Through).count();
     candidates.into_iter().min_by_key(|k| cuts(*k)).unwrap_or(0)
 }
 
@@ -198,22 +175,14 @@ mod tests {
     fn without_cycles_the_plan_is_the_order() {
         let flat = |z: f32| triangle([[0.0, 1.0, z], [9.0, 2.0, z], [3.0, 7.0, z]]);
         let plan = plan(&[flat(0.3), flat(-0.2), flat(0.1)]);
-        assert_eq!(
-            plan.pieces.iter().map(|piece| piece.triangle).collect::<Vec<_>>(),
-            [1, 2, 0]
-        );
+        assert_eq!(plan.pieces.iter().map(|piece| piece.triangle).collect::<Vec<_>>(), [1, 2, 0]);
         assert!(plan.cycles.is_empty() && plan.splits == 0);
     }
 
     #[test]
     fn the_cycle_of_three_is_named_and_opened() {
         let plan = plan(&three_polygon_cycle());
-        assert_eq!(
-            plan.cycles,
-            [OcclusionCycle {
-                polygons: vec![0, 2, 1]
-            }]
-        );
+        assert_eq!(plan.cycles, [OcclusionCycle { polygons: vec![0, 2, 1] }]);
         // The plane of one runs through both others.
         assert_eq!((plan.splits, plan.pieces.len()), (2, 5));
     }

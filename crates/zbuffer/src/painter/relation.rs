@@ -85,17 +85,8 @@ pub(super) fn relation_of_facets(a: &Facet, b: &Facet) -> Relation {
     differences.relation()
 }
 
-const EDGE_PAIRS: [(usize, usize); 9] = [
-    (0, 0),
-    (0, 1),
-    (0, 2),
-    (1, 0),
-    (1, 1),
-    (1, 2),
-    (2, 0),
-    (2, 1),
-    (2, 2),
-];
+const EDGE_PAIRS: [(usize, usize); 9] =
+    [(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (2, 2)];
 
 /// Whether all corners lie outside one edge or on its line. In the plane, convex polygons without a common inner point
 /// are separated by the line of an edge.
@@ -104,10 +95,7 @@ fn has_separating_edge(sides: &[[i64; 3]; 3]) -> bool {
 }
 
 fn depth_if_inside(facet: &Facet, sides: [i64; 3]) -> Option<f64> {
-    sides
-        .iter()
-        .all(|side| 0 <= *side)
-        .then(|| facet.depth_from_sides(sides))
+    sides.iter().all(|side| 0 <= *side).then(|| facet.depth_from_sides(sides))
 }
 
 /// Where on its edge from corner v to v+1 a triangle crosses the line with these sides, 0 to 1, if it really crosses.
@@ -198,14 +186,8 @@ mod tests {
     fn a_difference_within_the_tolerance_is_none() {
         let lifted = |by: f32| triangle(WALL.map(|[x, y, z]| [x + 1.0, y, z + by]));
         let flat = |z: f32| triangle(WALL.map(|[x, y, _]| [x, y, z]));
-        assert_eq!(
-            relation(&flat(0.5), &flat(0.5 + 2.0 * f32::EPSILON)),
-            Relation::Free
-        );
-        assert_eq!(
-            relation(&flat(0.5), &flat(0.5 + 3.0 * f32::EPSILON)),
-            Relation::Behind
-        );
+        assert_eq!(relation(&flat(0.5), &flat(0.5 + 2.0 * f32::EPSILON)), Relation::Free);
+        assert_eq!(relation(&flat(0.5), &flat(0.5 + 3.0 * f32::EPSILON)), Relation::Behind);
         assert_eq!(relation(&triangle(WALL), &lifted(1.0)), Relation::Behind);
     }
 
