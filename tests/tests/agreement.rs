@@ -57,12 +57,8 @@ impl Stage {
     fn traceable(&self, interpolation: raytrace::Interpolation) -> raytrace::World {
         let objects = self.meshes.iter().map(|(mesh, world_from_object, material)| {
             let shape = raytrace::Shape::Mesh(Arc::new(raytrace::TracedMesh::new(mesh.clone())));
-            raytrace::Object::new(
-                shape,
-                *world_from_object,
-                vec![raytrace::Surface::opaque(*material)],
-            )
-            .expect("an invertible transform")
+            raytrace::Object::new(shape, *world_from_object, vec![raytrace::Surface::opaque(*material)])
+                .expect("an invertible transform")
         });
         let mut world = raytrace::World::new(objects.collect(), self.lights.clone());
         world.background = BACKGROUND;
@@ -72,10 +68,7 @@ impl Stage {
 
     fn triangle(&self, (object, triangle): (usize, usize)) -> Triangle {
         let (mesh, world_from_object, _) = &self.meshes[object];
-        let [a, b, c] = mesh
-            .triangle(triangle)
-            .corners()
-            .map(|p| world_from_object.transform_point3(p));
+        let [a, b, c] = mesh.triangle(triangle).corners().map(|p| world_from_object.transform_point3(p));
         Triangle { a, b, c }
     }
 
@@ -96,17 +89,10 @@ fn edges(stage: &Stage) -> Vec<(DVec2, DVec2)> {
         .map(|name| zbuffer::project(&clip_from_world, width, height, &stage.triangle(name)));
     polygons
         .flat_map(|polygon| {
-            let points: Vec<DVec2> = polygon
-                .vertices()
-                .iter()
-                .map(|v| v.position.truncate().as_dvec2())
-                .collect();
+            let points: Vec<DVec2> =
+                polygon.vertices().iter().map(|v| v.position.truncate().as_dvec2()).collect();
             let next = |k: usize| points[(k + 1) % points.len()];
-            points
-                .iter()
-                .enumerate()
-                .map(|(k, p)| (*p, next(k)))
-                .collect::<Vec<_>>()
+            points.iter().enumerate().map(|(k, p)| (*p, next(k))).collect::<Vec<_>>()
         })
         .collect()
 }
@@ -130,18 +116,10 @@ fn length_on_screen(stage: &Stage, (a, b): (DVec2, DVec2)) -> f64 {
 /// Canonical z of a triangle's plane at a point of the screen, in 64 bits; `None` if the plane is seen edge-on.
 fn depth_at(stage: &Stage, name: (usize, usize), p: DVec2) -> Option<f64> {
     let triangle = stage.triangle(name).corners().map(|corner| corner.as_dvec3());
-    let [a, b, c] = triangle.map(|corner| {
-        stage
-            .pipeline
-            .camera_from_world()
-            .as_dmat4()
-            .transform_point3(corner)
-    });
+    let [a, b, c] =
+        triangle.map(|corner| stage.pipeline.camera_from_world().as_dmat4().transform_point3(corner));
     let n = (b - a).cross(c - a);
-    let (volume, size) = (
-        stage.pipeline.volume(),
-        (stage.pipeline.width(), stage.pipeline.height()),
-    );
+    let (volume, size) = (stage.pipeline.volume(), (stage.pipeline.width(), stage.pipeline.height()));
     let share = |x: f64, pixels: u32| (x + 0.5) / f64::from(pixels);
     let direction = DVec3::new(
         f64::from(volume.left) + share(p.x, size.0) * f64::from(volume.right - volume.left),
@@ -191,10 +169,7 @@ fn compare_winners(
     let edges = edges(stage);
     let (width, height) = (stage.pipeline.width(), stage.pipeline.height());
     tally.pixels += width as usize * height as usize;
-    tally.edge_area += edges
-        .iter()
-        .map(|edge| 2.0 * SNAP * length_on_screen(stage, *edge))
-        .sum::<f64>();
+    tally.edge_area += edges.iter().map(|edge| 2.0 * SNAP * length_on_screen(stage, *edge)).sum::<f64>();
     for j in 0..height {
         for i in 0..width {
             let index = row_from_j(j, height) as usize * width as usize + i as usize;
@@ -206,9 +181,7 @@ fn compare_winners(
             let p = DVec2::new(i.into(), j.into());
             let near_an_edge = edges.iter().any(|edge| distance_to_edge(p, *edge) <= SNAP);
             let undecided = matches!((one, other), (Some(a), Some(b)) if depths_are_close(stage, a, b, p));
-            ensure(near_an_edge || undecided, || {
-                format!("pixel ({i}, {j}): {one:?} against {other:?}")
-            })?;
+            ensure(near_an_edge || undecided, || format!("pixel ({i}, {j}): {one:?} against {other:?}"))?;
         }
     }
     Ok(())
@@ -279,14 +252,7 @@ const MODES: [(Shading, raytrace::Interpolation); 3] = [
 
 fn camera_and_volume() -> impl Strategy<Value = Pipeline> {
     let eye = (strategy::unit_vector(), 4.0_f32..9.0).prop_map(|(direction, distance)| distance * direction);
-    (
-        eye,
-        strategy::point(1.0),
-        0.4_f32..1.2,
-        24_u32..60,
-        24_u32..60,
-        strategy::unit_vector(),
-    )
+    (eye, strategy::point(1.0), 0.4_f32..1.2, 24_u32..60, 24_u32..60, strategy::unit_vector())
         .prop_filter("up along the gaze", |(eye, target, .., up)| {
             (*target - *eye).normalize().cross(*up).length() > 0.2
         })
@@ -301,17 +267,9 @@ fn camera_and_volume() -> impl Strategy<Value = Pipeline> {
 fn lights() -> impl Strategy<Value = Vec<Light>> {
     (strategy::unit_vector(), strategy::point(8.0)).prop_map(|(to_light, position)| {
         vec![
-            Light::Ambient {
-                color: Rgb::new(0.10, 0.12, 0.15),
-            },
-            Light::Directional {
-                to_light,
-                color: Rgb::new(0.7, 0.6, 0.5),
-            },
-            Light::Point {
-                position,
-                color: Rgb::new(0.3, 0.4, 0.5),
-            },
+            Light::Ambient { color: Rgb::new(0.10, 0.12, 0.15) },
+            Light::Directional { to_light, color: Rgb::new(0.7, 0.6, 0.5) },
+            Light::Point { position, color: Rgb::new(0.3, 0.4, 0.5) },
         ]
     })
 }
@@ -335,11 +293,7 @@ fn triangle_soup() -> impl Strategy<Value = Stage> {
                 let mesh = Mesh::new(t.corners().to_vec(), vec![[0, 1, 2]]).expect("a mesh");
                 (mesh, Mat4::IDENTITY, material)
             });
-            Stage {
-                meshes: meshes.collect(),
-                lights,
-                pipeline,
-            }
+            Stage { meshes: meshes.collect(), lights, pipeline }
         },
     )
 }
@@ -354,32 +308,17 @@ fn curved_shapes() -> impl Strategy<Value = Stage> {
                 2 => geometry::shapes::cuboid(vec3(1.0, 1.5, 0.7), 1),
                 _ => geometry::shapes::disc(1.2, 2),
             };
-            let flip = if mirrored {
-                Mat4::from_scale(vec3(-1.0, 1.0, 1.0))
-            } else {
-                Mat4::IDENTITY
-            };
+            let flip = if mirrored { Mat4::from_scale(vec3(-1.0, 1.0, 1.0)) } else { Mat4::IDENTITY };
             (mesh.expect("a shape"), m * flip, material)
         },
     );
-    (
-        proptest::collection::vec(shape, 1..4),
-        camera_and_volume(),
-        lights(),
-    )
-        .prop_map(|(meshes, pipeline, lights)| Stage {
-            meshes,
-            lights,
-            pipeline,
-        })
+    (proptest::collection::vec(shape, 1..4), camera_and_volume(), lights())
+        .prop_map(|(meshes, pipeline, lights)| Stage { meshes, lights, pipeline })
 }
 
 fn agreement(sentence: &str, cases: u32, stages: impl Strategy<Value = Stage>) {
     let tally = RefCell::new(Tally::default());
-    let law = Law::new(sentence)
-        .cases(cases)
-        .demand("much is seen", 0.5)
-        .demand("one hides another", 0.3);
+    let law = Law::new(sentence).cases(cases).demand("much is seen", 0.5).demand("one hides another", 0.3);
     law.holds_for(stages, |stage, seen| {
         let z_buffered = stage.rasterized(Shading::Phong, Visibility::ZBuffer(DepthFormat::F32));
         let painted = stage.rasterized(Shading::Phong, Visibility::Painter);
@@ -404,7 +343,9 @@ fn agreement(sentence: &str, cases: u32, stages: impl Strategy<Value = Stage>) {
         Ok(())
     });
     let Tally { pixels, different, edge_area, colors_left_to_snapping } = tally.into_inner();
-    println!("{sentence}: of {pixels} pixels {different} winners and {colors_left_to_snapping} colours left to snapping");
+    println!(
+        "{sentence}: of {pixels} pixels {different} winners and {colors_left_to_snapping} colours left to snapping"
+    );
     assert!(
         (different as f64) <= edge_area,
         "{different} of {pixels} winners differ, more than the {edge_area:.0} expected within reach of snapping"
@@ -418,20 +359,12 @@ fn agreement(sentence: &str, cases: u32, stages: impl Strategy<Value = Stage>) {
 
 #[test]
 fn loose_triangles_win_the_same_pixels_in_every_renderer() {
-    agreement(
-        "all renderers see the same triangle, loose ones",
-        96,
-        triangle_soup(),
-    );
+    agreement("all renderers see the same triangle, loose ones", 96, triangle_soup());
 }
 
 #[test]
 fn curved_shapes_win_the_same_pixels_in_every_renderer() {
-    agreement(
-        "all renderers see the same triangle, curved shapes",
-        64,
-        curved_shapes(),
-    );
+    agreement("all renderers see the same triangle, curved shapes", 64, curved_shapes());
 }
 
 #[test]

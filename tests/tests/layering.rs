@@ -5,10 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 fn workspace() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .parent()
-        .expect("the package lies in the workspace")
-        .to_owned()
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the package lies in the workspace").to_owned()
 }
 
 fn read(path: &Path) -> String {
@@ -37,11 +34,7 @@ fn manifests() -> Vec<Manifest> {
         .expect("crates/")
         .map(|entry| entry.expect("an entry").path());
     let names = |table: &toml::Table, key: &str| -> Vec<String> {
-        table
-            .get(key)
-            .and_then(|t| t.as_table())
-            .map(|t| t.keys().cloned().collect())
-            .unwrap_or_default()
+        table.get(key).and_then(|t| t.as_table()).map(|t| t.keys().cloned().collect()).unwrap_or_default()
     };
     folders
         .filter(|folder| folder.is_dir())
@@ -96,10 +89,7 @@ fn every_crate_is_on_the_map() {
 fn a_crate_depends_only_on_lower_layers() {
     let layers = layers();
     let mut arrows = 0;
-    for Manifest {
-        name, dependencies, ..
-    } in manifests().iter().filter(|m| m.name != "testkit")
-    {
+    for Manifest { name, dependencies, .. } in manifests().iter().filter(|m| m.name != "testkit") {
         for dependency in dependencies.iter().filter(|d| layers.contains_key(*d)) {
             arrows += 1;
             assert!(
@@ -110,24 +100,15 @@ fn a_crate_depends_only_on_lower_layers() {
             );
         }
     }
-    assert!(
-        arrows > 10,
-        "only {arrows} arrows found: the manifests were not understood"
-    );
+    assert!(arrows > 10, "only {arrows} arrows found: the manifests were not understood");
 }
 
 #[test]
 fn the_ray_tracer_knows_neither_the_z_buffer_nor_shading() {
     let manifests = manifests();
-    let raytrace = manifests
-        .iter()
-        .find(|m| m.name == "raytrace")
-        .expect("the crate raytrace");
+    let raytrace = manifests.iter().find(|m| m.name == "raytrace").expect("the crate raytrace");
     for stranger in ["zbuffer", "shading"] {
-        assert!(
-            !raytrace.dependencies.iter().any(|d| d == stranger),
-            "raytrace depends on {stranger}"
-        );
+        assert!(!raytrace.dependencies.iter().any(|d| d == stranger), "raytrace depends on {stranger}");
         assert!(
             !raytrace.dev_dependencies.iter().any(|d| d == stranger),
             "raytrace's tests depend on {stranger}"
@@ -138,14 +119,8 @@ fn the_ray_tracer_knows_neither_the_z_buffer_nor_shading() {
 #[test]
 fn only_tests_depend_on_the_testkit_which_knows_layer_0_only() {
     let layers = layers();
-    for Manifest {
-        name, dependencies, ..
-    } in &manifests()
-    {
-        assert!(
-            !dependencies.iter().any(|d| d == "testkit"),
-            "{name} depends on testkit outside its tests"
-        );
+    for Manifest { name, dependencies, .. } in &manifests() {
+        assert!(!dependencies.iter().any(|d| d == "testkit"), "{name} depends on testkit outside its tests");
         if name == "testkit" {
             for dependency in dependencies.iter().filter(|d| layers.contains_key(*d)) {
                 assert_eq!(layers[dependency], 0, "testkit depends on {dependency}");
@@ -158,14 +133,9 @@ fn only_tests_depend_on_the_testkit_which_knows_layer_0_only() {
 fn no_crate_has_unsafe_code() {
     for Manifest { name, .. } in &manifests() {
         let source = workspace().join("crates").join(name).join("src");
-        let root = [source.join("lib.rs"), source.join("main.rs")]
-            .into_iter()
-            .find(|path| path.exists());
+        let root = [source.join("lib.rs"), source.join("main.rs")].into_iter().find(|path| path.exists());
         let text = read(&root.unwrap_or_else(|| panic!("{name} has neither lib.rs nor main.rs")));
-        assert!(
-            text.contains("#![forbid(unsafe_code)]"),
-            "{name} does not forbid unsafe code"
-        );
+        assert!(text.contains("#![forbid(unsafe_code)]"), "{name} does not forbid unsafe code");
     }
 }
 
@@ -179,15 +149,9 @@ fn concept_crates_do_no_io_and_print_nothing() {
             let code = text.split("#[cfg(test)]").next().unwrap_or_default();
             let lines = code.lines().filter(|line| !line.trim_start().starts_with("//"));
             for line in lines {
-                for word in [
-                    "std::fs",
-                    "std::net",
-                    "std::thread",
-                    "println!",
-                    "eprintln!",
-                    "print!(",
-                    "static mut",
-                ] {
+                for word in
+                    ["std::fs", "std::net", "std::thread", "println!", "eprintln!", "print!(", "static mut"]
+                {
                     assert!(!line.contains(word), "{} has {word}: {line}", path.display());
                 }
             }
@@ -200,10 +164,7 @@ fn every_crate_opens_its_readme_with_a_question() {
     for Manifest { name, .. } in &manifests() {
         let text = read(&workspace().join("crates").join(name).join("README.md"));
         let title = text.lines().next().unwrap_or_default();
-        assert!(
-            title.starts_with("# ") && title.contains('?'),
-            "{name}: «{title}» is no question"
-        );
+        assert!(title.starts_with("# ") && title.contains('?'), "{name}: «{title}» is no question");
     }
 }
 
@@ -224,12 +185,7 @@ fn every_item_and_every_error_of_the_lecture_is_on_the_map() {
 
 /// The numbers of "1–5", "6, L7" or "21".
 fn numbers(cell: &str) -> Vec<u32> {
-    let number = |text: &str| {
-        text.trim()
-            .trim_start_matches('L')
-            .parse::<u32>()
-            .expect("a number")
-    };
+    let number = |text: &str| text.trim().trim_start_matches('L').parse::<u32>().expect("a number");
     if let Some((first, last)) = cell.split_once('–') {
         return (number(first)..=number(last)).collect();
     }

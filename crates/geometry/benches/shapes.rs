@@ -11,16 +11,11 @@ use geometry::shapes::{icosphere, teapot, uv_sphere};
 /// Building a shape: four times the work with each level.
 fn build(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("build");
-    group
-        .sample_size(20)
-        .measurement_time(Duration::from_secs(2))
-        .warm_up_time(Duration::from_millis(300));
+    group.sample_size(20).measurement_time(Duration::from_secs(2)).warm_up_time(Duration::from_millis(300));
     for level in [1, 3, 5] {
-        for (name, shape) in [
-            ("uv_sphere", uv_sphere as fn(u32) -> _),
-            ("icosphere", icosphere),
-            ("teapot", teapot),
-        ] {
+        for (name, shape) in
+            [("uv_sphere", uv_sphere as fn(u32) -> _), ("icosphere", icosphere), ("teapot", teapot)]
+        {
             let triangles = shape(level).expect("small level").len();
             group.throughput(Throughput::Elements(triangles as u64));
             group.bench_function(BenchmarkId::new(name, level), |b| {
@@ -33,22 +28,13 @@ fn build(criterion: &mut Criterion) {
 /// Reading OBJ text: many triangles, and one large concave face.
 fn parse_obj(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("parse_obj");
-    group
-        .sample_size(20)
-        .measurement_time(Duration::from_secs(2))
-        .warm_up_time(Duration::from_millis(300));
+    group.sample_size(20).measurement_time(Duration::from_secs(2)).warm_up_time(Duration::from_millis(300));
     let pot = obj_text(&teapot(3).expect("small level"));
     let comb = comb_text(1000);
-    for (name, text) in [
-        ("teapot, 16256 triangles", &pot),
-        ("a comb of 1000 teeth in one face", &comb),
-    ] {
+    for (name, text) in [("teapot, 16256 triangles", &pot), ("a comb of 1000 teeth in one face", &comb)] {
         group.throughput(Throughput::Bytes(text.len() as u64));
-        let read = || {
-            geometry::obj::parse(black_box(text.as_bytes()), "bench.obj", &mut |_| {
-                Err(String::new())
-            })
-        };
+        let read =
+            || geometry::obj::parse(black_box(text.as_bytes()), "bench.obj", &mut |_| Err(String::new()));
         group.bench_function(name, |b| b.iter(read));
     }
 }

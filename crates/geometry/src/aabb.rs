@@ -13,10 +13,7 @@ pub struct Aabb {
 
 impl Aabb {
     /// The box without points: the union with it changes nothing.
-    pub const EMPTY: Self = Self {
-        min: Vec3::INFINITY,
-        max: Vec3::NEG_INFINITY,
-    };
+    pub const EMPTY: Self = Self { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
 
     /// The smallest box around `points`; [`Aabb::EMPTY`] if there are none.
     ///
@@ -30,19 +27,13 @@ impl Aabb {
     /// ```
     #[must_use]
     pub fn from_points(points: impl IntoIterator<Item = Vec3>) -> Self {
-        points.into_iter().fold(Self::EMPTY, |b, p| Self {
-            min: b.min.min(p),
-            max: b.max.max(p),
-        })
+        points.into_iter().fold(Self::EMPTY, |b, p| Self { min: b.min.min(p), max: b.max.max(p) })
     }
 
     /// The smallest box around both.
     #[must_use]
     pub fn union(self, other: Self) -> Self {
-        Self {
-            min: self.min.min(other.min),
-            max: self.max.max(other.max),
-        }
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
     /// Whether the box holds no point.
@@ -60,22 +51,14 @@ impl Aabb {
     /// Width, height and depth; zero for the empty box.
     #[must_use]
     pub fn size(&self) -> Vec3 {
-        if self.is_empty() {
-            Vec3::ZERO
-        } else {
-            self.max - self.min
-        }
+        if self.is_empty() { Vec3::ZERO } else { self.max - self.min }
     }
 
     /// The point in the middle; the origin for the empty box.
     #[must_use]
     pub fn center(&self) -> Vec3 {
         // Halved before they are added, so that even the largest coordinates do not overflow.
-        if self.is_empty() {
-            Vec3::ZERO
-        } else {
-            0.5 * self.min + 0.5 * self.max
-        }
+        if self.is_empty() { Vec3::ZERO } else { 0.5 * self.min + 0.5 * self.max }
     }
 
     /// The eight corners; those of the empty box mean nothing.

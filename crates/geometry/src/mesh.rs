@@ -84,11 +84,7 @@ impl Mesh {
     pub fn new(positions: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
         check_finite("position", &positions, |p| p.is_finite())?;
         check_indices("position", &triangles, positions.len())?;
-        Ok(Self {
-            positions,
-            triangles,
-            ..Self::default()
-        })
+        Ok(Self { positions, triangles, ..Self::default() })
     }
 
     /// The same mesh with these normals, which it brings to unit length. A zero normal stays zero, which means: none
@@ -195,6 +191,18 @@ impl Mesh {
         corners.iter().all(|n| *n != Vec3::ZERO).then_some(corners)
     }
 
+    /// Whether the mesh has normals but in each triangle all three are the same: they say no more than the triangle does,
+    /// and interpolating them gives nothing smooth. Some programs write OBJ files like that.
+    #[must_use]
+    pub fn has_face_normals_only(&self) -> bool {
+        self.normals.as_ref().is_some_and(|normals| {
+            normals.triangles.iter().all(|corners| {
+                let [a, b, c] = corners.map(|index| normals.values[index as usize]);
+                a == b && b == c
+            })
+        })
+    }
+
     /// The texture coordinates at the corners of triangle `k`, if the mesh has any.
     ///
     /// # Panics
@@ -214,12 +222,7 @@ impl Mesh {
     /// The smallest box around the triangles; positions that no triangle uses do not count.
     #[must_use]
     pub fn aabb(&self) -> Aabb {
-        Aabb::from_points(
-            self.triangles
-                .iter()
-                .flatten()
-                .map(|index| self.positions[*index as usize]),
-        )
+        Aabb::from_points(self.triangles.iter().flatten().map(|index| self.positions[*index as usize]))
     }
 
     /// The mesh moved by an affine map. Normals turn with the inverse transpose; a map that mirrors also turns each
@@ -232,23 +235,12 @@ impl Mesh {
         let turn = |t: &[u32; 3]| if mirrored { [t[0], t[2], t[1]] } else { *t };
         let turn_all = |triangles: &[[u32; 3]]| triangles.iter().map(turn).collect::<Vec<_>>();
 
-        let positions = self
-            .positions
-            .iter()
-            .map(|p| target_from_source.transform_point3(*p))
-            .collect();
+        let positions = self.positions.iter().map(|p| target_from_source.transform_point3(*p)).collect();
         let mut mesh = Self::new(positions, turn_all(&self.triangles))?;
         if let Some(normals) = &self.normals {
             let normal_matrix = normal_matrix(target_from_source);
-            let values = normals
-                .values
-                .iter()
-                .map(|n| (normal_matrix * *n).normalize_or_zero())
-                .collect();
-            mesh = mesh.with_normals(Indexed {
-                values,
-                triangles: turn_all(&normals.triangles),
-            })?;
+            let values = normals.values.iter().map(|n| (normal_matrix * *n).normalize_or_zero()).collect();
+            mesh = mesh.with_normals(Indexed { values, triangles: turn_all(&normals.triangles) })?;
         }
         if let Some(uv) = &self.texture_coordinates {
             mesh = mesh.with_texture_coordinates(Indexed {
@@ -285,26 +277,16 @@ impl Mesh {
 #[must_use]
 pub fn normal_matrix(target_from_source: &Mat4) -> Mat3 {
     let m = scaled_linear_part(target_from_source);
-    let cofactors = Mat3::from_cols(
-        m.y_axis.cross(m.z_axis),
-        m.z_axis.cross(m.x_axis),
-        m.x_axis.cross(m.y_axis),
-    );
-    if m.determinant() < 0.0 {
-        -cofactors
-    } else {
-        cofactors
-    }
+    let cofactors =
+        Mat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis));
+    if m.determinant() < 0.0 { -cofactors } else { cofactors }
 }
 
 /// What the map does to directions, divided by its largest entry: products of three entries of a map that shrinks to
 /// a trillionth would underflow.
 fn scaled_linear_part(target_from_source: &Mat4) -> Mat3 {
     let m = Mat3::from_mat4(*target_from_source);
-    let largest = m
-        .to_cols_array()
-        .iter()
-        .fold(0.0_f32, |largest, entry| largest.max(entry.abs()));
+    let largest = m.to_cols_array().iter().fold(0.0_f32, |largest, entry| largest.max(entry.abs()));
     if largest > 0.0 && largest.is_finite() {
         // Not times the reciprocal: that of a subnormal number overflows.
         Mat3::from_cols(m.x_axis / largest, m.y_axis / largest, m.z_axis / largest)
@@ -320,23 +302,14 @@ fn check_finite<T: std::fmt::Debug>(
 ) -> Result<(), MeshError> {
     match values.iter().position(|v| !is_finite(v)) {
         None => Ok(()),
-        Some(index) => Err(MeshError::NotFinite {
-            what,
-            index,
-            value: format!("{:?}", values[index]),
-        }),
+        Some(index) => Err(MeshError::NotFinite { what, index, value: format!("{:?}", values[index]) }),
     }
 }
 
 fn check_indices(what: &'static str, triangles: &[[u32; 3]], count: usize) -> Result<(), MeshError> {
     for (triangle, corners) in triangles.iter().enumerate() {
         if let Some(&index) = corners.iter().find(|index| **index as usize >= count) {
-            return Err(MeshError::IndexOutOfRange {
-                what,
-                triangle,
-                index,
-                count,
-            });
+            return Err(MeshError::IndexOutOfRange { what, triangle, index, count });
         }
     }
     Ok(())
@@ -350,18 +323,11 @@ mod tests {
 
     /// A slope of two triangles with normals and materials.
     fn slope() -> Mesh {
-        let corners = vec![
-            vec3(0.0, 0.0, 0.0),
-            vec3(2.0, 0.0, 0.0),
-            vec3(2.0, 3.0, 4.0),
-            vec3(0.0, 3.0, 4.0),
-        ];
+        let corners =
+            vec![vec3(0.0, 0.0, 0.0), vec3(2.0, 0.0, 0.0), vec3(2.0, 3.0, 4.0), vec3(0.0, 3.0, 4.0)];
         let triangles = vec![[0, 1, 2], [0, 2, 3]];
         let n = vec3(0.0, -4.0, 3.0);
-        let normals = Indexed {
-            values: vec![n],
-            triangles: vec![[0; 3]; 2],
-        };
+        let normals = Indexed { values: vec![n], triangles: vec![[0; 3]; 2] };
         Mesh::new(corners, triangles)
             .unwrap()
             .with_normals(normals)
@@ -386,10 +352,7 @@ mod tests {
                 let face = mesh.triangle(k).normal().unwrap();
                 let [n, ..] = mesh.corner_normals(k).unwrap();
                 // Both are unit vectors, each rounded a few times.
-                assert!(
-                    (face - n).length() < 1e-6,
-                    "scale {scale}, triangle {k}: {face} and {n}"
-                );
+                assert!((face - n).length() < 1e-6, "scale {scale}, triangle {k}: {face} and {n}");
             }
             assert_eq!((mesh.material(0), mesh.material(1)), (5, 8));
         }
@@ -397,36 +360,22 @@ mod tests {
 
     #[test]
     fn attribute_that_does_not_fit_is_an_error_that_names_it() {
-        let normals = |triangles| Indexed {
-            values: vec![Vec3::X],
-            triangles,
-        };
+        let normals = |triangles| Indexed { values: vec![Vec3::X], triangles };
         let error = slope().with_normals(normals(vec![[0; 3]])).unwrap_err();
         assert_eq!(
             error.to_string(),
             "normal: 1 entries for 2 triangles; there must be one for each triangle"
         );
-        let error = slope()
-            .with_normals(normals(vec![[0; 3], [0, 0, 7]]))
-            .unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "triangle 1 asks for normal 7, but there are only 1 (counted from 0)"
-        );
+        let error = slope().with_normals(normals(vec![[0; 3], [0, 0, 7]])).unwrap_err();
+        assert_eq!(error.to_string(), "triangle 1 asks for normal 7, but there are only 1 (counted from 0)");
         let error = Mesh::new(vec![Vec3::NAN], Vec::new()).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "position 0 is not finite: Vec3(NaN, NaN, NaN) (counted from 0)"
-        );
+        assert_eq!(error.to_string(), "position 0 is not finite: Vec3(NaN, NaN, NaN) (counted from 0)");
         assert!(slope().with_materials(vec![1]).is_err());
     }
 
     #[test]
     fn corner_without_a_normal_has_none() {
-        let normals = Indexed {
-            values: vec![Vec3::X, Vec3::ZERO],
-            triangles: vec![[0; 3], [0, 1, 0]],
-        };
+        let normals = Indexed { values: vec![Vec3::X, Vec3::ZERO], triangles: vec![[0; 3], [0, 1, 0]] };
         let mesh = slope().with_normals(normals).unwrap();
         assert!(mesh.corner_normals(0).is_some() && mesh.corner_normals(1).is_none());
     }

@@ -17,10 +17,7 @@ impl Plane {
     /// The plane through `point` with unit normal `normal`.
     #[must_use]
     pub fn new(point: Vec3, normal: Vec3) -> Self {
-        Self {
-            normal,
-            offset: normal.dot(point),
-        }
+        Self { normal, offset: normal.dot(point) }
     }
 
     /// The plane of a triangle, or `None` if its corners lie on one line.

@@ -29,9 +29,6 @@ impl Sphere {
     /// The smallest box around the sphere.
     #[must_use]
     pub fn aabb(&self) -> Aabb {
-        Aabb {
-            min: self.center - self.radius,
-            max: self.center + self.radius,
-        }
+        Aabb { min: self.center - self.radius, max: self.center + self.radius }
     }
 }

@@ -82,12 +82,7 @@ impl Triangle {
     /// ```
     #[must_use]
     pub fn barycentric(&self, p: Vec3) -> Option<Barycentric> {
-        let (a, b, c, p) = (
-            self.a.as_dvec3(),
-            self.b.as_dvec3(),
-            self.c.as_dvec3(),
-            p.as_dvec3(),
-        );
+        let (a, b, c, p) = (self.a.as_dvec3(), self.b.as_dvec3(), self.c.as_dvec3(), p.as_dvec3());
         let n = (b - a).cross(c - a);
         let whole = n.length_squared();
         if whole == 0.0 || !whole.is_finite() {
@@ -118,32 +113,16 @@ pub struct Barycentric {
 
 impl Barycentric {
     /// Corner a.
-    pub const A: Self = Self {
-        alpha: 1.0,
-        beta: 0.0,
-        gamma: 0.0,
-    };
+    pub const A: Self = Self { alpha: 1.0, beta: 0.0, gamma: 0.0 };
     /// Corner b.
-    pub const B: Self = Self {
-        alpha: 0.0,
-        beta: 1.0,
-        gamma: 0.0,
-    };
+    pub const B: Self = Self { alpha: 0.0, beta: 1.0, gamma: 0.0 };
     /// Corner c.
-    pub const C: Self = Self {
-        alpha: 0.0,
-        beta: 0.0,
-        gamma: 1.0,
-    };
+    pub const C: Self = Self { alpha: 0.0, beta: 0.0, gamma: 1.0 };
 
     /// The coordinates with the given β and γ; α = 1 − β − γ (L48).
     #[must_use]
     pub fn from_beta_gamma(beta: f32, gamma: f32) -> Self {
-        Self {
-            alpha: 1.0 - beta - gamma,
-            beta,
-            gamma,
-        }
+        Self { alpha: 1.0 - beta - gamma, beta, gamma }
     }
 
     /// α·a + β·b + γ·c for anything that can be scaled and added: positions, normals, colours, numbers.
@@ -185,10 +164,6 @@ impl Add for Barycentric {
 impl Mul<f32> for Barycentric {
     type Output = Self;
     fn mul(self, factor: f32) -> Self {
-        Self {
-            alpha: self.alpha * factor,
-            beta: self.beta * factor,
-            gamma: self.gamma * factor,
-        }
+        Self { alpha: self.alpha * factor, beta: self.beta * factor, gamma: self.gamma * factor }
     }
 }

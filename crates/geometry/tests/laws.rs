@@ -15,10 +15,7 @@ const EPSILON: f32 = f32::EPSILON;
 fn barycentric_coordinates_sum_to_one_and_reproduce_the_point() {
     let anywhere = (strategy::coordinate(2.0), strategy::coordinate(2.0))
         .prop_map(|(beta, gamma)| Barycentric::from_beta_gamma(beta, gamma));
-    let inputs = (
-        strategy::triangle(10.0),
-        prop_oneof![strategy::inside(0.01), anywhere],
-    );
+    let inputs = (strategy::triangle(10.0), prop_oneof![strategy::inside(0.01), anywhere]);
     Law::new("α + β + γ = 1 and αa + βb + γc is the point, inside and outside (L48)")
         .demand("inside", 0.3)
         .demand("outside", 0.3)
@@ -36,11 +33,7 @@ fn barycentric_coordinates_sum_to_one_and_reproduce_the_point() {
 
 #[test]
 fn barycentric_coordinates_of_a_point_off_the_plane_are_those_of_its_foot() {
-    let inputs = (
-        strategy::triangle(10.0),
-        strategy::inside(0.05),
-        strategy::coordinate(5.0),
-    );
+    let inputs = (strategy::triangle(10.0), strategy::inside(0.05), strategy::coordinate(5.0));
     Law::new("a point above the triangle has the coordinates of the point below it").holds_for(
         inputs,
         |(triangle, weights, height), _| {
@@ -62,9 +55,7 @@ fn plane_has_its_front_where_the_triangle_has_it() {
         .demand("front", 0.3)
         .demand("behind", 0.3)
         .holds_for(inputs, |(triangle, p), seen| {
-            let distance = Plane::of_triangle(&triangle)
-                .expect("no slivers")
-                .signed_distance(p);
+            let distance = Plane::of_triangle(&triangle).expect("no slivers").signed_distance(p);
             seen.class("front", distance > 0.0);
             seen.class("behind", distance < 0.0);
             let [a, b, c] = triangle.corners().map(|q| q.as_dvec3() - p.as_dvec3());
@@ -76,13 +67,8 @@ fn plane_has_its_front_where_the_triangle_has_it() {
 
 #[test]
 fn affine_map_keeps_fronts_in_front() {
-    let mirrored = (strategy::affine(10.0), any::<bool>()).prop_map(|(map, mirror)| {
-        if mirror {
-            map * Mat4::from_scale(vec3(1.0, -1.0, 1.0))
-        } else {
-            map
-        }
-    });
+    let mirrored = (strategy::affine(10.0), any::<bool>())
+        .prop_map(|(map, mirror)| if mirror { map * Mat4::from_scale(vec3(1.0, -1.0, 1.0)) } else { map });
     let ball = icosphere(3).expect("level 3 is allowed");
     Law::new("a map of any handedness keeps volumes positive and normals outward")
         .demand("mirrored", 0.3)
@@ -101,9 +87,7 @@ fn affine_map_keeps_fronts_in_front() {
 fn closed_shapes() -> impl Strategy<Value = (&'static str, Vec<Mesh>, i64, f64)> {
     let size = || 0.1_f32..10.0;
     let levels = |shape: &dyn Fn(u32) -> Result<Mesh, ShapeError>| -> Vec<Mesh> {
-        (0..4)
-            .map(|level| shape(level).expect("small levels and sound sizes"))
-            .collect()
+        (0..4).map(|level| shape(level).expect("small levels and sound sizes")).collect()
     };
     let ball = 4.0 / 3.0 * std::f64::consts::PI;
     prop_oneof![
@@ -132,22 +116,11 @@ fn closed_shapes_are_watertight() {
             seen.class("box", name == "box");
             for mesh in &meshes {
                 let open = open_edges(mesh);
-                ensure(open.is_empty(), || {
-                    format!("{name}: open or doubled edges {open:?}")
-                })?;
-                let (v, e, f) = (
-                    mesh.positions().len() as i64,
-                    mesh.len() as i64 * 3 / 2,
-                    mesh.len() as i64,
-                );
-                ensure(v - e + f == euler, || {
-                    format!("{name}: V − E + F = {v} − {e} + {f}")
-                })?;
-                let places: std::collections::HashSet<_> = mesh
-                    .positions()
-                    .iter()
-                    .map(|p| p.to_array().map(f32::to_bits))
-                    .collect();
+                ensure(open.is_empty(), || format!("{name}: open or doubled edges {open:?}"))?;
+                let (v, e, f) = (mesh.positions().len() as i64, mesh.len() as i64 * 3 / 2, mesh.len() as i64);
+                ensure(v - e + f == euler, || format!("{name}: V − E + F = {v} − {e} + {f}"))?;
+                let places: std::collections::HashSet<_> =
+                    mesh.positions().iter().map(|p| p.to_array().map(f32::to_bits)).collect();
                 ensure(places.len() == mesh.positions().len(), || {
                     format!("{name}: a position occurs twice")
                 })?;
@@ -158,21 +131,21 @@ fn closed_shapes_are_watertight() {
 
 #[test]
 fn finer_shapes_come_closer_to_the_surface() {
-    Law::new("each level quarters the error of the volume")
-        .cases(64)
-        .holds_for(closed_shapes(), |(name, meshes, _, exact), _| {
+    Law::new("each level quarters the error of the volume").cases(64).holds_for(
+        closed_shapes(),
+        |(name, meshes, _, exact), _| {
             let errors: Vec<f64> = meshes.iter().map(|mesh| (exact - volume(mesh)) / exact).collect();
             // The error is c·h² (1 + d·h² …) with h the angle of an edge, so the ratio tends to 4; from level 1 to 2,
             // with h up to π/4, it is at least 3.5. The box is exact up to the rounding of its sizes.
             let rounding = f64::from(8.0 * EPSILON);
             for pair in errors.windows(2).skip(1) {
-                ensure(
-                    -rounding <= pair[1] && pair[1] <= pair[0] / 3.5 + rounding,
-                    || format!("{name}: {errors:?}"),
-                )?;
+                ensure(-rounding <= pair[1] && pair[1] <= pair[0] / 3.5 + rounding, || {
+                    format!("{name}: {errors:?}")
+                })?;
             }
             ensure(errors[3] < 0.02, || format!("{name}: {errors:?}"))
-        });
+        },
+    );
 }
 
 #[test]
@@ -185,9 +158,7 @@ fn normals_agree_with_faces_the_better_the_finer() {
                 // with legs h touches the surface nowhere farther than h/√2 from a corner.
                 let bound = std::f64::consts::FRAC_PI_2 / f64::from(1 << level);
                 let angle = least_cosine(mesh).min(1.0).acos();
-                ensure(angle <= bound, || {
-                    format!("{name}, level {level}: {angle} rad, allowed {bound}")
-                })?;
+                ensure(angle <= bound, || format!("{name}, level {level}: {angle} rad, allowed {bound}"))?;
                 let normals = mesh.normals().expect("every shape has normals");
                 for n in &normals.values {
                     ensure_close("length", n.length(), 1.0, 2.0 * EPSILON)?;
@@ -207,11 +178,7 @@ fn teapot_is_open_only_where_the_real_one_is() {
         let cuts = 2 << level;
         let mut lengths: Vec<_> = loops.iter().map(Vec::len).collect();
         lengths.sort_unstable();
-        assert_eq!(
-            lengths,
-            [2 * cuts, 2 * cuts, 2 * cuts, 2 * cuts, 4 * cuts, 4 * cuts],
-            "level {level}"
-        );
+        assert_eq!(lengths, [2 * cuts, 2 * cuts, 2 * cuts, 2 * cuts, 4 * cuts, 4 * cuts], "level {level}");
         for circle in loops.iter().filter(|circle| circle.len() == 4 * cuts) {
             // Rim and lid end at the same height, at radius 1.4 and 1.3: the slit.
             assert!(circle.iter().all(|k| pot.positions()[*k as usize].y == 2.4));
@@ -224,13 +191,7 @@ fn teapot_normals_agree_with_its_faces_the_better_the_finer() {
     let mut last = f64::INFINITY;
     for level in 1..5 {
         let pot = teapot(level).expect("small level");
-        assert!(
-            pot.normals()
-                .unwrap()
-                .values
-                .iter()
-                .all(|n| (n.length() - 1.0).abs() <= 2.0 * EPSILON)
-        );
+        assert!(pot.normals().unwrap().values.iter().all(|n| (n.length() - 1.0).abs() <= 2.0 * EPSILON));
         let angle = least_cosine(&pot).acos();
         // The sharpest bend is the spout's lip; about half the angle remains with each level.
         assert!(angle < 0.75 * last, "level {level}: {angle} after {last}");
@@ -245,9 +206,7 @@ fn disc_is_flat_round_and_faces_up() {
         let edge = loops(&open_edges(&plate));
         assert_eq!(edge.len(), 1);
         assert!(
-            edge[0]
-                .iter()
-                .all(|k| (plate.positions()[*k as usize].length() - 1.5).abs() <= 2.0 * EPSILON)
+            edge[0].iter().all(|k| (plate.positions()[*k as usize].length() - 1.5).abs() <= 2.0 * EPSILON)
         );
         for k in 0..plate.len() {
             assert_eq!(plate.triangle(k).normal(), Some(Vec3::Y));
@@ -258,27 +217,15 @@ fn disc_is_flat_round_and_faces_up() {
 /// The volume inside a closed mesh: positive if its fronts are outside.
 fn volume(mesh: &Mesh) -> f64 {
     let six_volumes = |t: Triangle| t.a.as_dvec3().dot(t.b.as_dvec3().cross(t.c.as_dvec3()));
-    (0..mesh.len())
-        .map(|k| six_volumes(mesh.triangle(k)))
-        .sum::<f64>()
-        / 6.0
+    (0..mesh.len()).map(|k| six_volumes(mesh.triangle(k))).sum::<f64>() / 6.0
 }
 
 /// The cosine of the greatest angle between a face and a normal at one of its corners.
 fn least_cosine(mesh: &Mesh) -> f64 {
     let cosine = |k: usize| {
-        let face = mesh
-            .triangle(k)
-            .normal()
-            .expect("no triangle of a shape is without area")
-            .as_dvec3();
-        let corners = mesh
-            .corner_normals(k)
-            .expect("every corner of a shape has a normal");
-        corners
-            .iter()
-            .map(|n| face.dot(n.as_dvec3().normalize()))
-            .fold(f64::INFINITY, f64::min)
+        let face = mesh.triangle(k).normal().expect("no triangle of a shape is without area").as_dvec3();
+        let corners = mesh.corner_normals(k).expect("every corner of a shape has a normal");
+        corners.iter().map(|n| face.dot(n.as_dvec3().normalize())).fold(f64::INFINITY, f64::min)
     };
     (0..mesh.len()).map(cosine).fold(f64::INFINITY, f64::min)
 }
@@ -292,11 +239,7 @@ fn open_edges(mesh: &Mesh) -> Vec<(u32, u32)> {
         }
     }
     let count = |edge: (u32, u32)| counts.get(&edge).copied().unwrap_or(0);
-    counts
-        .keys()
-        .copied()
-        .filter(|(a, b)| (count((*a, *b)), count((*b, *a))) != (1, 1))
-        .collect()
+    counts.keys().copied().filter(|(a, b)| (count((*a, *b)), count((*b, *a))) != (1, 1)).collect()
 }
 
 /// The closed loops that directed edges form, each as its points.

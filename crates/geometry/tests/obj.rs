@@ -58,14 +58,8 @@ fn with_mtl(mtl: &str) -> Result<Import, ObjError> {
 
 #[test]
 fn groups_become_one_mesh_with_a_material_for_each_triangle() {
-    let Import {
-        mesh,
-        materials,
-        warnings,
-    } = import(KITCHEN).unwrap();
-    let names: Vec<_> = (0..mesh.len())
-        .map(|k| materials[mesh.material(k) as usize].name.as_str())
-        .collect();
+    let Import { mesh, materials, warnings } = import(KITCHEN).unwrap();
+    let names: Vec<_> = (0..mesh.len()).map(|k| materials[mesh.material(k) as usize].name.as_str()).collect();
     // A quad gives two triangles, the pentagon three.
     assert_eq!(names, ["wood", "wood", "dark", "dark", "dark", "wood"]);
     assert_eq!(materials[0], ObjMaterial::default());
@@ -106,9 +100,7 @@ fn corners_without_normals_have_none_and_do_not_borrow_any() {
     assert_eq!(mesh.corner_texture_coordinates(1).unwrap()[2], vec2(0.0, 1.0));
     assert_eq!(mesh.corner_texture_coordinates(2).unwrap()[2], vec2(0.0, 0.0));
 
-    let bare = import("v 0 0 0\nv 1 0 0\nv 0 2 0\nvn 0 0 1\nf 1 2 3\n")
-        .unwrap()
-        .mesh;
+    let bare = import("v 0 0 0\nv 1 0 0\nv 0 2 0\nvn 0 0 1\nf 1 2 3\n").unwrap().mesh;
     assert!(bare.normals().is_none() && bare.texture_coordinates().is_none());
 }
 
@@ -127,15 +119,8 @@ fn line_ends_and_continued_lines_do_not_matter() {
     assert_eq!(import(&KITCHEN.replace('\n', "\r")).unwrap(), plain);
     assert_eq!(import(&KITCHEN.replace("2//1", "\\\n 2//1")).unwrap(), plain);
     assert_eq!(import(&format!("\u{feff}{KITCHEN}")).unwrap(), plain);
-    assert_eq!(
-        import(&KITCHEN.replace("v 4 0 0", "  v\t4 0 0 # the right end")).unwrap(),
-        plain
-    );
-    assert_eq!(
-        import(&KITCHEN.replace("v 4 0 0", "v 8 0 0 2")).unwrap(),
-        plain,
-        "w divides"
-    );
+    assert_eq!(import(&KITCHEN.replace("v 4 0 0", "  v\t4 0 0 # the right end")).unwrap(), plain);
+    assert_eq!(import(&KITCHEN.replace("v 4 0 0", "v 8 0 0 2")).unwrap(), plain, "w divides");
     assert_eq!(
         import(&KITCHEN.replace("v 4 0 0", "v 4 0 0 1 0.5 0")).unwrap(),
         plain,
@@ -145,10 +130,7 @@ fn line_ends_and_continued_lines_do_not_matter() {
 
 #[test]
 fn missing_material_file_is_a_warning_and_gives_the_default() {
-    let import = parse(KITCHEN.as_bytes(), "kitchen.obj", &mut |_| {
-        Err("no such file".to_owned())
-    })
-    .unwrap();
+    let import = parse(KITCHEN.as_bytes(), "kitchen.obj", &mut |_| Err("no such file".to_owned())).unwrap();
     assert!((0..import.mesh.len()).all(|k| import.mesh.material(k) == 0));
     let words: Vec<_> = import.warnings.iter().map(ToString::to_string).collect();
     assert_eq!(
@@ -164,16 +146,8 @@ fn missing_material_file_is_a_warning_and_gives_the_default() {
 #[test]
 fn what_is_left_out_is_said_once_and_counted() {
     let text = format!("{KITCHEN}l 1 2\nl 2 3\np 1\ncurv 0 1 1 2\nbanana\n");
-    let words: Vec<_> = import(&text)
-        .unwrap()
-        .warnings
-        .iter()
-        .map(ToString::to_string)
-        .collect();
-    assert_eq!(
-        words[0],
-        "kitchen.obj:25: 'l' is left out: lines are not drawn (2 times)"
-    );
+    let words: Vec<_> = import(&text).unwrap().warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(words[0], "kitchen.obj:25: 'l' is left out: lines are not drawn (2 times)");
     assert_eq!(words.len(), 4);
     // A hostile file cannot fill the memory with warnings.
     let many: String = (0..10_000).map(|k| format!("word{k}\n")).collect();
@@ -182,9 +156,8 @@ fn what_is_left_out_is_said_once_and_counted() {
 
 #[test]
 fn names_may_hold_spaces_and_number_signs() {
-    let text = KITCHEN
-        .replace("kitchen.mtl", "my kitchen.mtl")
-        .replace("usemtl dark", "usemtl Material #25 ");
+    let text =
+        KITCHEN.replace("kitchen.mtl", "my kitchen.mtl").replace("usemtl dark", "usemtl Material #25 ");
     let mtl = KITCHEN_MTL.replace("newmtl dark", "newmtl Material #25");
     let mut asked = Vec::new();
     let import = parse(text.as_bytes(), "kitchen.obj", &mut |name| {
@@ -213,11 +186,7 @@ fn refuses(line: usize, bad: &str, problem: &str) {
     let mut lines: Vec<_> = KITCHEN.lines().collect();
     lines[line - 1] = bad;
     let error = import(&lines.join("\n")).unwrap_err();
-    assert_eq!(
-        (error.file.as_str(), error.line),
-        ("kitchen.obj", Some(line)),
-        "{error}"
-    );
+    assert_eq!((error.file.as_str(), error.line), ("kitchen.obj", Some(line)), "{error}");
     assert!(error.problem.contains(problem), "{error}");
     assert!(!error.remedy.is_empty());
 }
@@ -240,11 +209,7 @@ fn bad_numbers_are_refused_with_their_line() {
 #[test]
 fn bad_faces_are_refused_with_their_line() {
     refuses(14, "f 1 2 10", "vertex 10, but the file has only 9");
-    refuses(
-        14,
-        "f 1/5 2/1 3/1",
-        "texture coordinate 5, but the file has only 4",
-    );
+    refuses(14, "f 1/5 2/1 3/1", "texture coordinate 5, but the file has only 4");
     refuses(14, "f 1//2 2//1 3//1", "normal 2, but the file has only 1");
     refuses(14, "f 1 2 -5", "vertex -5, but only 4 came before");
     refuses(3, "f 1 2 -1", "vertex -1, but only 0 came before");
@@ -263,10 +228,7 @@ fn bad_faces_are_refused_with_their_line() {
 
 #[test]
 fn bad_files_are_refused_as_a_whole() {
-    for (text, problem) in [
-        ("", "no vertices and no faces"),
-        ("v 1 2 3\n", "vertices, but no faces"),
-    ] {
+    for (text, problem) in [("", "no vertices and no faces"), ("v 1 2 3\n", "vertices, but no faces")] {
         let error = import(text).unwrap_err();
         assert_eq!((error.line, error.problem.as_str()), (None, problem));
     }
@@ -290,11 +252,7 @@ fn bad_materials_are_refused_with_the_line_of_their_file() {
         (1, "Kd 1 1 1"),
     ] {
         let error = with_mtl(bad).unwrap_err();
-        assert_eq!(
-            (error.file.as_str(), error.line),
-            ("kitchen.mtl", Some(line)),
-            "{bad}: {error}"
-        );
+        assert_eq!((error.file.as_str(), error.line), ("kitchen.mtl", Some(line)), "{bad}: {error}");
     }
 }
 
@@ -302,13 +260,7 @@ fn bad_materials_are_refused_with_the_line_of_their_file() {
 fn material_values_out_of_range_are_left_out_with_a_warning() {
     let mtl = "newmtl wood\nKd -1 0 0\nNs -5\nd 1.5\nNi 0\nillum 99\nmap_Kd wood.png\nnewmtl dark\nKs spectral x.rfl\n";
     let import = with_mtl(mtl).unwrap();
-    assert_eq!(
-        import.materials[1],
-        ObjMaterial {
-            name: "wood".to_owned(),
-            ..ObjMaterial::default()
-        }
-    );
+    assert_eq!(import.materials[1], ObjMaterial { name: "wood".to_owned(), ..ObjMaterial::default() });
     assert_eq!(import.warnings.len(), 7, "{:?}", import.warnings);
 }
 
@@ -402,10 +354,7 @@ fn mutilated(good: &str, random: &mut Random) -> Vec<u8> {
 fn replace_word(bytes: &mut Vec<u8>, at: usize, by: &str) {
     let is_space = |byte: &u8| byte.is_ascii_whitespace();
     let start = bytes[..at].iter().rposition(is_space).map_or(0, |k| k + 1);
-    let end = bytes[at..]
-        .iter()
-        .position(is_space)
-        .map_or(bytes.len(), |k| at + k);
+    let end = bytes[at..].iter().position(is_space).map_or(bytes.len(), |k| at + k);
     bytes.splice(start..end, by.bytes());
 }
 
@@ -418,11 +367,7 @@ fn a_thousand_mutilated_files_end_in_an_error_or_a_mesh() {
         let mtl = mutilated(KITCHEN_MTL, &mut random);
         // Half of them fail in the OBJ or the MTL text alone, so that a bad OBJ text does not hide the MTL text.
         let obj = if random.below(4) == 0 { KITCHEN.into() } else { obj };
-        let mtl = if random.below(2) == 0 {
-            KITCHEN_MTL.into()
-        } else {
-            mtl
-        };
+        let mtl = if random.below(2) == 0 { KITCHEN_MTL.into() } else { mtl };
         match parse(&obj, "kitchen.obj", &mut |_| Ok(mtl.clone())) {
             Ok(import) => {
                 meshes += 1;
@@ -432,10 +377,7 @@ fn a_thousand_mutilated_files_end_in_an_error_or_a_mesh() {
             Err(error) => {
                 errors += 1;
                 assert!(!error.problem.is_empty() && !error.remedy.is_empty(), "{error:?}");
-                assert!(
-                    !error.to_string().contains("reader refuses"),
-                    "the scan missed it: {error}"
-                );
+                assert!(!error.to_string().contains("reader refuses"), "the scan missed it: {error}");
             }
         }
     }

@@ -20,37 +20,21 @@ fn directions() -> Vec<(Vec3, Vec3)> {
 fn forms(c: &mut Criterion) {
     let pairs = directions();
     let mut group = c.benchmark_group("1000 highlights");
-    group
-        .sample_size(20)
-        .measurement_time(Duration::from_secs(1))
-        .warm_up_time(Duration::from_millis(300));
+    group.sample_size(20).measurement_time(Duration::from_secs(1)).warm_up_time(Duration::from_millis(300));
     let mut bench = |name: &str, f: &dyn Fn(Vec3, Vec3) -> f32| {
         group.bench_function(name, |b| {
-            b.iter(|| {
-                pairs
-                    .iter()
-                    .map(|(l, e)| f(black_box(*l), black_box(*e)))
-                    .sum::<f32>()
-            });
+            b.iter(|| pairs.iter().map(|(l, e)| f(black_box(*l), black_box(*e))).sum::<f32>());
         });
     };
     let n = Vec3::Z;
     bench("r alone: 2(n·l)n − l", &|l, _| reflect(n, l).x);
-    bench("h alone: (e + l)/‖e + l‖", &|l, e| {
-        halfway(e, l).map_or(0.0, |h| h.x)
-    });
+    bench("h alone: (e + l)/‖e + l‖", &|l, e| halfway(e, l).map_or(0.0, |h| h.x));
     bench("(e·r)^p", &|l, e| phong_highlight(n, l, e, 32.0));
     bench("(h·n)^4p", &|l, e| blinn_highlight(n, l, e, 128.0));
-    let light = |to_light| Illumination {
-        to_light,
-        distance: 1.0,
-        color: Vec3::ONE,
-    };
+    let light = |to_light| Illumination { to_light, distance: 1.0, color: Vec3::ONE };
     let material = Material::new(vec3(0.7, 0.4, 0.1), 32.0);
     bench("Phong model", &|l, e| phong(&material, n, e, &light(l)).x);
-    bench("Blinn–Phong model", &|l, e| {
-        blinn_phong(&material, n, e, &light(l)).x
-    });
+    bench("Blinn–Phong model", &|l, e| blinn_phong(&material, n, e, &light(l)).x);
     group.finish();
 }
 

@@ -34,7 +34,8 @@ impl Highlight {
 /// attempt e·r (L30) has two faults, it goes negative and is too wide: the clamp and p mend them.
 ///
 /// - `n`, `to_light`, `to_eye`: unit vectors in one common space.
-/// - `exponent`: p ≥ 0, larger is narrower; 0 gives 1 wherever the reflected light leans to the eye.
+/// - `exponent`: p ≥ 0, larger is narrower; 0 gives 1 wherever the reflected light leans to the eye. A negative p would give
+///   more than 1; whoever reads materials from files refuses it.
 ///
 /// ```
 /// use glam::{Vec3, vec3};
@@ -44,7 +45,7 @@ impl Highlight {
 /// ```
 #[must_use]
 pub fn phong_highlight(n: Vec3, to_light: Vec3, to_eye: Vec3, exponent: f32) -> f32 {
-    if n.dot(to_light) <= 0.0 {
+    if !is_lit(n, to_light) {
         return 0.0;
     }
     power_of_cosine(to_eye.dot(reflect(n, to_light)), exponent)
@@ -65,19 +66,21 @@ pub fn phong_highlight(n: Vec3, to_light: Vec3, to_eye: Vec3, exponent: f32) -> 
 /// ```
 #[must_use]
 pub fn blinn_highlight(n: Vec3, to_light: Vec3, to_eye: Vec3, exponent: f32) -> f32 {
-    if n.dot(to_light) <= 0.0 {
+    if !is_lit(n, to_light) {
         return 0.0;
     }
     halfway(to_eye, to_light).map_or(0.0, |h| power_of_cosine(h.dot(n), exponent))
 }
 
+/// The gate of E3. A NaN is not lit.
+fn is_lit(n: Vec3, to_light: Vec3) -> bool {
+    n.dot(to_light) > 0.0
+}
+
 /// max(0, cos)^p, at most 1, and 0 for a cosine of 0 whatever p: `powf(0, 0)` is 1, which would light the unlit side.
+/// A cosine of NaN, from vectors that are none, gives 0.
 fn power_of_cosine(cosine: f32, exponent: f32) -> f32 {
-    if cosine <= 0.0 {
-        0.0
-    } else {
-        cosine.min(1.0).powf(exponent)
-    }
+    if cosine > 0.0 { cosine.min(1.0).powf(exponent) } else { 0.0 }
 }
 
 #[cfg(test)]
@@ -87,18 +90,12 @@ mod tests {
 
     /// L34 as the slide prints it: no clamp, no gate.
     fn slide_blinn(n: Vec3, to_light: Vec3, to_eye: Vec3, exponent: f32) -> f32 {
-        ((to_eye + to_light) / (to_eye + to_light).length())
-            .dot(n)
-            .powf(exponent)
+        ((to_eye + to_light) / (to_eye + to_light).length()).dot(n).powf(exponent)
     }
 
     /// The slide's witness against "h·n is always positive" (E3).
     fn light_behind_the_surface() -> (Vec3, Vec3, Vec3) {
-        (
-            Vec3::Z,
-            vec3(-0.5, 0.0, -0.2).normalize(),
-            vec3(1.0, 0.0, 0.1).normalize(),
-        )
+        (Vec3::Z, vec3(-0.5, 0.0, -0.2).normalize(), vec3(1.0, 0.0, 0.1).normalize())
     }
 
     #[test]
@@ -119,6 +116,16 @@ mod tests {
         assert_eq!(blinn_highlight(n, to_light, to_eye, 11.0), 0.0);
         assert_eq!(blinn_highlight(n, to_light, to_eye, 10.5), 0.0);
         assert_eq!(blinn_highlight(n, Vec3::X, Vec3::NEG_X, 10.0), 0.0);
+    }
+
+    #[test]
+    fn vectors_that_are_none_give_no_highlight() {
+        let nan = Vec3::splat(f32::NAN);
+        for form in [Highlight::Phong, Highlight::Blinn] {
+            assert_eq!(form.at(nan, Vec3::Z, Vec3::Z, 8.0), 0.0);
+            assert_eq!(form.at(Vec3::Z, nan, Vec3::Z, 8.0), 0.0);
+            assert_eq!(form.at(Vec3::Z, Vec3::Z, nan, 8.0), 0.0);
+        }
     }
 
     #[test]

@@ -14,7 +14,7 @@ pub enum Light {
     },
     /// Light from infinitely far away, the same direction everywhere: the sun.
     Directional {
-        /// l: the unit direction *towards* the light, world space.
+        /// l: the direction *towards* the light, world space; must have unit length, or the light counts more or less.
         to_light: Vec3,
         /// c_l, linear RGB.
         color: Rgb,
@@ -55,19 +55,14 @@ impl Light {
     pub fn illumination(&self, p_world: Vec3) -> Option<Illumination> {
         match *self {
             Self::Ambient { .. } => None,
-            Self::Directional { to_light, color } => Some(Illumination {
-                to_light,
-                distance: f32::INFINITY,
-                color,
-            }),
+            Self::Directional { to_light, color } => {
+                Some(Illumination { to_light, distance: f32::INFINITY, color })
+            }
             Self::Point { position, color } => {
-                let way = position - p_world;
-                let to_light = way.try_normalize()?;
-                Some(Illumination {
-                    to_light,
-                    distance: way.length(),
-                    color,
-                })
+                // In f64: squares of very large and very small distances leave the range of f32.
+                let way = position.as_dvec3() - p_world.as_dvec3();
+                let to_light = way.try_normalize()?.as_vec3();
+                Some(Illumination { to_light, distance: way.length() as f32, color })
             }
         }
     }
@@ -77,11 +72,22 @@ impl Light {
 #[must_use]
 pub fn ambient(lights: &[Light]) -> Rgb {
     let color = |light: &Light| {
-        if let Light::Ambient { color } = light {
-            *color
-        } else {
-            Rgb::ZERO
-        }
+        if let Light::Ambient { color } = light { *color } else { Rgb::ZERO }
     };
     lights.iter().map(color).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lamp_shines_from_any_distance() {
+        for distance in [1e-22_f32, 1e-5, 1.0, 2e19, 1e30] {
+            let lamp = Light::Point { position: distance * Vec3::new(0.6, 0.0, 0.8), color: Rgb::ONE };
+            let light = lamp.illumination(Vec3::ZERO).expect("a direction");
+            assert!(light.to_light.abs_diff_eq(Vec3::new(0.6, 0.0, 0.8), 2.0 * f32::EPSILON), "{distance}");
+            assert!((light.distance / distance - 1.0).abs() < 2.0 * f32::EPSILON, "{distance}");
+        }
+    }
 }

@@ -27,31 +27,19 @@ impl Material {
     /// ```
     #[must_use]
     pub fn new(diffuse: Rgb, exponent: f32) -> Self {
-        Self {
-            diffuse,
-            specular: Rgb::ONE,
-            exponent,
-        }
+        Self { diffuse, specular: Rgb::ONE, exponent }
     }
 
     /// The material of colour `diffuse` without a highlight.
     #[must_use]
     pub fn matt(diffuse: Rgb) -> Self {
-        Self {
-            diffuse,
-            specular: Rgb::ZERO,
-            exponent: 1.0,
-        }
+        Self { diffuse, specular: Rgb::ZERO, exponent: 1.0 }
     }
 }
 
 impl Default for Material {
     /// A neutral, slightly glossy grey.
     fn default() -> Self {
-        Self {
-            diffuse: Rgb::splat(0.6),
-            specular: Rgb::splat(0.3),
-            exponent: 50.0,
-        }
+        Self { diffuse: Rgb::splat(0.6), specular: Rgb::splat(0.3), exponent: 50.0 }
     }
 }

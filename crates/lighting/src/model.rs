@@ -61,7 +61,8 @@ pub fn lit(
 pub struct SurfacePoint {
     /// The point, world space.
     pub p_world: Vec3,
-    /// n: the unit normal on the side of the eye, world space.
+    /// n: the unit normal on the side of the eye, world space. On the other side it is a surface seen from behind, lit as
+    /// its front would be.
     pub n: Vec3,
     /// e: the unit direction towards the eye, world space.
     pub to_eye: Vec3,
@@ -81,52 +82,22 @@ mod tests {
     fn the_lectures_own_numbers_leave_the_range_that_a_slide_promises() {
         // E8: c_r = 0.8, c_a = 0.2, c_l = 1, everything head-on: 0.8·(0.2 + 1) + 1 = 1.96, not between 0 and 1.
         let lights = [
-            Light::Ambient {
-                color: Rgb::splat(0.2),
-            },
-            Light::Directional {
-                to_light: Vec3::Z,
-                color: Rgb::ONE,
-            },
+            Light::Ambient { color: Rgb::splat(0.2) },
+            Light::Directional { to_light: Vec3::Z, color: Rgb::ONE },
         ];
-        let at = SurfacePoint {
-            p_world: Vec3::ZERO,
-            n: Vec3::Z,
-            to_eye: Vec3::Z,
-        };
-        let c = lit(
-            &Material::new(Rgb::splat(0.8), 32.0),
-            &lights,
-            Highlight::Phong,
-            &at,
-            |_| true,
-        );
+        let at = SurfacePoint { p_world: Vec3::ZERO, n: Vec3::Z, to_eye: Vec3::Z };
+        let c = lit(&Material::new(Rgb::splat(0.8), 32.0), &lights, Highlight::Phong, &at, |_| true);
         assert!((c.x - 1.96).abs() < 1e-6, "{c}");
     }
 
     #[test]
     fn a_light_that_does_not_reach_the_point_leaves_only_the_ambient_part() {
         let lights = [
-            Light::Ambient {
-                color: Rgb::new(0.1, 0.2, 0.3),
-            },
-            Light::Point {
-                position: Vec3::new(0.0, 0.0, 5.0),
-                color: Rgb::ONE,
-            },
+            Light::Ambient { color: Rgb::new(0.1, 0.2, 0.3) },
+            Light::Point { position: Vec3::new(0.0, 0.0, 5.0), color: Rgb::ONE },
         ];
-        let at = SurfacePoint {
-            p_world: Vec3::ZERO,
-            n: Vec3::Z,
-            to_eye: Vec3::Z,
-        };
-        let c = lit(
-            &Material::new(Rgb::splat(0.5), 32.0),
-            &lights,
-            Highlight::Blinn,
-            &at,
-            |_| false,
-        );
+        let at = SurfacePoint { p_world: Vec3::ZERO, n: Vec3::Z, to_eye: Vec3::Z };
+        let c = lit(&Material::new(Rgb::splat(0.5), 32.0), &lights, Highlight::Blinn, &at, |_| false);
         assert_eq!(c, Rgb::new(0.05, 0.1, 0.15));
     }
 }

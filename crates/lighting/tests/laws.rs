@@ -26,11 +26,7 @@ fn material() -> impl Strategy<Value = Material> + Clone {
 
 /// A normal, a direction to the light and a direction to the eye, independent of each other.
 fn directions() -> impl Strategy<Value = (Vec3, Vec3, Vec3)> + Clone {
-    (
-        strategy::unit_vector(),
-        strategy::unit_vector(),
-        strategy::unit_vector(),
-    )
+    (strategy::unit_vector(), strategy::unit_vector(), strategy::unit_vector())
 }
 
 #[test]
@@ -54,9 +50,7 @@ fn halfway_vector_is_symmetric_and_unit_and_halves_the_angle() {
         |(to_eye, to_light), _| {
             prop_assume!((to_eye + to_light).length() > 0.01);
             let h = halfway(to_eye, to_light).expect("not opposite");
-            ensure(halfway(to_light, to_eye) == Some(h), || {
-                "not symmetric".to_owned()
-            })?;
+            ensure(halfway(to_light, to_eye) == Some(h), || "not symmetric".to_owned())?;
             ensure_close("|h|", h.length(), 1.0, 4.0 * EPS)?;
             // The sum may be as short as 0.01: its rounding of 2ε is then 200ε of its length.
             ensure_close("h·e = h·l", h.dot(to_eye), h.dot(to_light), 8.0 * 200.0 * EPS)
@@ -71,27 +65,22 @@ fn halfway_vector_of_opposite_directions_is_missing_and_never_nan() {
         |(e, rounding), _| {
             // Both are unit to about ε a component; what is left of their sum then points anywhere.
             let to_light = -e + EPS * rounding;
-            ensure(halfway(e, to_light).is_none(), || {
-                format!("h of opposite directions, l = {to_light}")
-            })
+            ensure(halfway(e, to_light).is_none(), || format!("h of opposite directions, l = {to_light}"))
         },
     );
 }
 
 #[test]
 fn lambert_is_the_cosine_where_lit_and_zero_elsewhere() {
-    Law::new("max(0, cos θ) (L26, L27)")
-        .demand("lit", 0.3)
-        .demand("unlit", 0.3)
-        .holds_for(
-            (strategy::unit_vector(), strategy::unit_vector()),
-            |(n, to_light), seen| {
-                let cosine = n.as_dvec3().angle_between(to_light.as_dvec3()).cos() as f32;
-                seen.class("lit", cosine > 0.0);
-                seen.class("unlit", cosine < 0.0);
-                ensure_close("n·l", lambert(n, to_light), cosine.max(0.0), 8.0 * EPS)
-            },
-        );
+    Law::new("max(0, cos θ) (L26, L27)").demand("lit", 0.3).demand("unlit", 0.3).holds_for(
+        (strategy::unit_vector(), strategy::unit_vector()),
+        |(n, to_light), seen| {
+            let cosine = n.as_dvec3().angle_between(to_light.as_dvec3()).cos() as f32;
+            seen.class("lit", cosine > 0.0);
+            seen.class("unlit", cosine < 0.0);
+            ensure_close("n·l", lambert(n, to_light), cosine.max(0.0), 8.0 * EPS)
+        },
+    );
 }
 
 #[test]
@@ -104,52 +93,32 @@ fn lambert_falls_with_the_cosine_not_with_the_angle() {
 
 #[test]
 fn diffuse_light_is_the_same_from_every_direction() {
-    Law::new("a matt surface looks the same from everywhere (L26)")
-        .demand("lit", 0.3)
-        .holds_for(
-            (directions(), strategy::unit_vector(), color()),
-            |((n, to_light, to_eye), other_eye, diffuse), seen| {
-                let light = Illumination {
-                    to_light,
-                    distance: f32::INFINITY,
-                    color: Rgb::ONE,
-                };
-                seen.class("lit", n.dot(to_light) > 0.0);
-                let matt = Material::matt(diffuse);
-                let (one, other) = (
-                    phong(&matt, n, to_eye, &light),
-                    phong(&matt, n, other_eye, &light),
-                );
-                ensure(one == other, || {
-                    format!("{one} from one side, {other} from another")
-                })
-            },
-        );
+    Law::new("a matt surface looks the same from everywhere (L26)").demand("lit", 0.3).holds_for(
+        (directions(), strategy::unit_vector(), color()),
+        |((n, to_light, to_eye), other_eye, diffuse), seen| {
+            let light = Illumination { to_light, distance: f32::INFINITY, color: Rgb::ONE };
+            seen.class("lit", n.dot(to_light) > 0.0);
+            let matt = Material::matt(diffuse);
+            let (one, other) = (phong(&matt, n, to_eye, &light), phong(&matt, n, other_eye, &light));
+            ensure(one == other, || format!("{one} from one side, {other} from another"))
+        },
+    );
 }
 
 #[test]
 fn a_light_behind_the_surface_lights_nothing() {
-    Law::new("n·l ≤ 0 is dark, in both models and with any exponent (E3)")
-        .demand("behind", 0.3)
-        .holds_for(
-            (directions(), material()),
-            |((n, to_light, to_eye), material), seen| {
-                let light = Illumination {
-                    to_light,
-                    distance: 3.0,
-                    color: Rgb::ONE,
-                };
-                let behind = n.dot(to_light) <= 0.0;
-                seen.class("behind", behind);
-                for c in [
-                    phong(&material, n, to_eye, &light),
-                    blinn_phong(&material, n, to_eye, &light),
-                ] {
-                    ensure(!behind || c == Rgb::ZERO, || format!("{c} from behind"))?;
-                }
-                Ok(())
-            },
-        );
+    Law::new("n·l ≤ 0 is dark, in both models and with any exponent (E3)").demand("behind", 0.3).holds_for(
+        (directions(), material()),
+        |((n, to_light, to_eye), material), seen| {
+            let light = Illumination { to_light, distance: 3.0, color: Rgb::ONE };
+            let behind = n.dot(to_light) <= 0.0;
+            seen.class("behind", behind);
+            for c in [phong(&material, n, to_eye, &light), blinn_phong(&material, n, to_eye, &light)] {
+                ensure(!behind || c == Rgb::ZERO, || format!("{c} from behind"))?;
+            }
+            Ok(())
+        },
+    );
 }
 
 #[test]
@@ -174,9 +143,7 @@ fn highlights_are_numbers_between_zero_and_one() {
                 seen.class("opposite", special == 0);
                 for form in [Highlight::Phong, Highlight::Blinn] {
                     let brightness = form.at(n, to_light, to_eye, exponent);
-                    ensure((0.0..=1.0).contains(&brightness), || {
-                        format!("{form:?} gives {brightness}")
-                    })?;
+                    ensure((0.0..=1.0).contains(&brightness), || format!("{form:?} gives {brightness}"))?;
                 }
                 Ok(())
             },
@@ -193,18 +160,8 @@ fn both_forms_are_full_where_the_halfway_vector_is_the_normal() {
             let to_eye = reflect(n, to_light).normalize();
             // Cosines within 16ε of 1; near h = n the sum e + l may be as short as 2·0.05, which magnifies by 20.
             let bound = (exponent + 1.0) * 20.0 * 16.0 * EPS;
-            ensure_close(
-                "e·r form",
-                phong_highlight(n, to_light, to_eye, exponent),
-                1.0,
-                bound,
-            )?;
-            ensure_close(
-                "h·n form",
-                blinn_highlight(n, to_light, to_eye, exponent),
-                1.0,
-                bound,
-            )
+            ensure_close("e·r form", phong_highlight(n, to_light, to_eye, exponent), 1.0, bound)?;
+            ensure_close("h·n form", blinn_highlight(n, to_light, to_eye, exponent), 1.0, bound)
         },
     );
 }
@@ -228,101 +185,85 @@ fn in_one_plane_the_angle_of_the_reflected_form_is_twice_that_of_the_halfway_for
 
 #[test]
 fn a_larger_exponent_never_widens_a_highlight() {
-    Law::new("larger p, narrower highlight (L31)")
-        .demand("lit", 0.3)
-        .holds_for(
-            (directions(), 0.0_f32..100.0, 0.0_f32..100.0),
-            |((n, to_light, to_eye), p, more), seen| {
-                seen.class("lit", n.dot(to_light) > 0.0);
-                for form in [Highlight::Phong, Highlight::Blinn] {
-                    let (wide, narrow) = (
-                        form.at(n, to_light, to_eye, p),
-                        form.at(n, to_light, to_eye, p + more),
-                    );
-                    ensure(narrow <= wide, || format!("{form:?}: {narrow} > {wide}"))?;
-                }
-                Ok(())
-            },
-        );
+    Law::new("larger p, narrower highlight (L31)").demand("lit", 0.3).holds_for(
+        (directions(), 0.0_f32..100.0, 0.0_f32..100.0),
+        |((n, to_light, to_eye), p, more), seen| {
+            seen.class("lit", n.dot(to_light) > 0.0);
+            for form in [Highlight::Phong, Highlight::Blinn] {
+                let (wide, narrow) =
+                    (form.at(n, to_light, to_eye, p), form.at(n, to_light, to_eye, p + more));
+                ensure(narrow <= wide, || format!("{form:?}: {narrow} > {wide}"))?;
+            }
+            Ok(())
+        },
+    );
 }
 
 #[test]
 fn reflected_light_is_diffuse_plus_specular_and_lights_add_up() {
-    Law::new("the parts and the lights are additive (L25)")
-        .demand("lit twice", 0.1)
-        .holds_for(
-            (
-                directions(),
-                strategy::unit_vector(),
-                material(),
-                color(),
-                color(),
-            ),
-            |((n, to_light, to_eye), other_light, material, c1, c2), seen| {
-                let first = Light::Directional { to_light, color: c1 };
-                let second = Light::Directional {
-                    to_light: other_light,
-                    color: c2,
-                };
-                seen.class("lit twice", n.dot(to_light) > 0.0 && n.dot(other_light) > 0.0);
-                let at = SurfacePoint {
-                    p_world: Vec3::ZERO,
-                    n,
-                    to_eye,
-                };
-                let color = |m: &Material, lights: &[Light]| lit(m, lights, Highlight::Blinn, &at, |_| true);
-                let both = color(&material, &[first, second]);
-                ensure_close(
-                    "two lights",
-                    both,
-                    color(&material, &[first]) + color(&material, &[second]),
-                    8.0 * EPS,
-                )?;
-                let matt = Material {
-                    specular: Rgb::ZERO,
-                    ..material
-                };
-                let mirror = Material {
-                    diffuse: Rgb::ZERO,
-                    ..material
-                };
-                let parts = color(&matt, &[first]) + color(&mirror, &[first]);
-                ensure_close("diffuse + specular", color(&material, &[first]), parts, 8.0 * EPS)
-            },
-        );
+    Law::new("the parts and the lights are additive (L25)").demand("lit twice", 0.1).holds_for(
+        (directions(), strategy::unit_vector(), material(), color(), color()),
+        |((n, to_light, to_eye), other_light, material, c1, c2), seen| {
+            let first = Light::Directional { to_light, color: c1 };
+            let second = Light::Directional { to_light: other_light, color: c2 };
+            seen.class("lit twice", n.dot(to_light) > 0.0 && n.dot(other_light) > 0.0);
+            let at = SurfacePoint { p_world: Vec3::ZERO, n, to_eye };
+            let color = |m: &Material, lights: &[Light]| lit(m, lights, Highlight::Blinn, &at, |_| true);
+            let both = color(&material, &[first, second]);
+            ensure_close(
+                "two lights",
+                both,
+                color(&material, &[first]) + color(&material, &[second]),
+                8.0 * EPS,
+            )?;
+            let matt = Material { specular: Rgb::ZERO, ..material };
+            let mirror = Material { diffuse: Rgb::ZERO, ..material };
+            let parts = color(&matt, &[first]) + color(&mirror, &[first]);
+            ensure_close("diffuse + specular", color(&material, &[first]), parts, 8.0 * EPS)
+        },
+    );
+}
+
+#[test]
+fn ambient_diffuse_and_specular_light_add_up_to_the_total() {
+    Law::new("ambient + diffuse + specular = total (L36)").demand("lit", 0.3).holds_for(
+        (directions(), material(), color(), color()),
+        |((n, to_light, to_eye), material, c_a, c_l), seen| {
+            seen.class("lit", n.dot(to_light) > 0.0);
+            let at = SurfacePoint { p_world: Vec3::ZERO, n, to_eye };
+            let ambient = Light::Ambient { color: c_a };
+            let sun = Light::Directional { to_light, color: c_l };
+            let color = |m: Material, lights: &[Light]| lit(&m, lights, Highlight::Phong, &at, |_| true);
+            let matt = Material { specular: Rgb::ZERO, ..material };
+            let gleam = Material { diffuse: Rgb::ZERO, ..material };
+            let parts = [color(material, &[ambient]), color(matt, &[sun]), color(gleam, &[sun])];
+            ensure_close("ambient", parts[0], material.diffuse * c_a, EPS)?;
+            ensure_close("total", color(material, &[ambient, sun]), parts.into_iter().sum(), 8.0 * EPS)
+        },
+    );
 }
 
 #[test]
 fn lighting_does_not_care_which_way_the_world_is_turned() {
-    Law::new("a rotation of everything changes no colour")
-        .demand("lit", 0.3)
-        .holds_for(
-            (directions(), material(), strategy::rotation()),
-            |((n, to_light, to_eye), material, turn): ((Vec3, Vec3, Vec3), Material, Mat3), seen| {
-                let lambert_here = lambert(n, to_light);
-                seen.class("lit", lambert_here > 0.0);
-                // At the border between lit and unlit rounding decides; the highlight's slope there is p times that of the cosine.
-                prop_assume!(n.dot(to_light).abs() > 64.0 * EPS);
-                let light = |l| Illumination {
-                    to_light: l,
-                    distance: 1.0,
-                    color: Rgb::ONE,
-                };
-                let here = phong(&material, n, to_eye, &light(to_light));
-                let there = phong(&material, turn * n, turn * to_eye, &light(turn * to_light));
-                ensure_close("colour", here, there, (material.exponent + 1.0) * 64.0 * EPS)
-            },
-        );
+    Law::new("a rotation of everything changes no colour").demand("lit", 0.3).holds_for(
+        (directions(), material(), strategy::rotation()),
+        |((n, to_light, to_eye), material, turn): ((Vec3, Vec3, Vec3), Material, Mat3), seen| {
+            let lambert_here = lambert(n, to_light);
+            seen.class("lit", lambert_here > 0.0);
+            // At the border between lit and unlit rounding decides; the highlight's slope there is p times that of the cosine.
+            prop_assume!(n.dot(to_light).abs() > 64.0 * EPS);
+            let light = |l| Illumination { to_light: l, distance: 1.0, color: Rgb::ONE };
+            let here = phong(&material, n, to_eye, &light(to_light));
+            let there = phong(&material, turn * n, turn * to_eye, &light(turn * to_light));
+            ensure_close("colour", here, there, (material.exponent + 1.0) * 64.0 * EPS)
+        },
+    );
 }
 
 #[test]
 fn the_model_can_reflect_more_than_it_receives() {
     // L35: empirical. A white surface with the lecture's specular 1 sends 2 to the eye of the 1 that arrives.
-    let light = Illumination {
-        to_light: Vec3::Z,
-        distance: 1.0,
-        color: Rgb::ONE,
-    };
+    let light = Illumination { to_light: Vec3::Z, distance: 1.0, color: Rgb::ONE };
     let c = phong(&Material::new(Rgb::ONE, 10.0), Vec3::Z, Vec3::Z, &light);
     assert_eq!(c, Rgb::splat(2.0));
 }
@@ -331,18 +272,8 @@ fn the_model_can_reflect_more_than_it_receives() {
 fn a_highlight_takes_the_lights_colour_not_the_surfaces() {
     // L29: the apple. A red surface in white light gleams white; in green light it gleams green.
     let red = Material::new(Rgb::new(0.8, 0.0, 0.0), 20.0);
-    let gleam = |color| {
-        phong(
-            &red,
-            Vec3::Z,
-            Vec3::Z,
-            &Illumination {
-                to_light: Vec3::Z,
-                distance: 1.0,
-                color,
-            },
-        )
-    };
+    let gleam =
+        |color| phong(&red, Vec3::Z, Vec3::Z, &Illumination { to_light: Vec3::Z, distance: 1.0, color });
     assert_eq!(gleam(Rgb::ONE), Rgb::new(1.8, 1.0, 1.0));
     assert_eq!(gleam(Rgb::new(0.0, 0.5, 0.0)), Rgb::new(0.0, 0.5, 0.0));
 }
@@ -352,20 +283,11 @@ fn what_is_absorbed_and_what_is_scattered_make_one() {
     Law::new("diffuse ≤ 1 never scatters more than falls in (L24)").holds_for(
         (directions(), color()),
         |((n, to_light, to_eye), diffuse), _| {
-            let light = Illumination {
-                to_light,
-                distance: 1.0,
-                color: Rgb::ONE,
-            };
+            let light = Illumination { to_light, distance: 1.0, color: Rgb::ONE };
             let scattered = phong(&Material::matt(diffuse), n, to_eye, &light);
             let received = lambert(n, to_light);
             let absorbed = received * (Rgb::ONE - diffuse);
-            ensure_close(
-                "absorbed + reflected",
-                absorbed + scattered,
-                Rgb::splat(received),
-                4.0 * EPS,
-            )
+            ensure_close("absorbed + reflected", absorbed + scattered, Rgb::splat(received), 4.0 * EPS)
         },
     );
 }

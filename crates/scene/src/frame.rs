@@ -18,9 +18,13 @@ const FOV_DEGREES: f32 = 30.0;
 /// The mesh takes up this share of the picture in the direction in which it is larger.
 const FILLED: f32 = 0.86;
 
-/// Directions from the mesh to the eye, best first: three-quarter views with the front along +z and along −z.
+/// Directions from the mesh to the eye, best first, for a mesh whose front looks along +z. The first is a three-quarter view.
 const TO_EYE: [Vec3; 4] =
     [vec3(0.55, 0.4, 1.0), vec3(-1.0, 0.5, 0.6), vec3(0.3, 1.0, 0.5), vec3(-0.6, 0.3, -1.0)];
+
+/// The top third of a mesh must lie this much farther along −z than all of it, in halves of the box's diagonal, before its
+/// front is taken to be there. Less may be chance.
+const LEAN: f32 = 0.1;
 
 /// A flat mesh is seen well enough if its normals are this cosine away from a right angle with the gaze, on average.
 const LEAST_COSINE: f32 = 0.2;
@@ -61,9 +65,25 @@ fn to_eye(mesh: &Mesh) -> Vec3 {
         // A mesh without area shows nothing from anywhere.
         if area > 0.0 { facing / area } else { 0.0 }
     };
-    let well_seen = TO_EYE.into_iter().find(|direction| seen(*direction) >= LEAST_COSINE);
-    let best = || TO_EYE.into_iter().max_by(|a, b| seen(*a).total_cmp(&seen(*b)));
+    let front = if looks_along_minus_z(mesh) { vec3(1.0, 1.0, -1.0) } else { Vec3::ONE };
+    let directions = TO_EYE.map(|direction| front * direction);
+    let well_seen = directions.into_iter().find(|direction| seen(*direction) >= LEAST_COSINE);
+    let best = || directions.into_iter().max_by(|a, b| seen(*a).total_cmp(&seen(*b)));
     well_seen.or_else(best).unwrap_or(TO_EYE[0])
+}
+
+/// Which way is its front? Files do not say, and both ways are common. What has a head carries it high and in front.
+fn looks_along_minus_z(mesh: &Mesh) -> bool {
+    let bounds = mesh.aabb();
+    let mean_z_above = |least_y: f32| {
+        let corners = mesh.triangles().iter().flatten().map(|index| mesh.positions()[*index as usize]);
+        let high = corners.filter(|p| p.y >= least_y);
+        let (sum, count) =
+            high.fold((0.0_f64, 0.0_f64), |(sum, count), p| (sum + f64::from(p.z), count + 1.0));
+        if count > 0.0 { (sum / count) as f32 } else { 0.0 }
+    };
+    let top_third = bounds.max.y - bounds.size().y / 3.0;
+    mean_z_above(top_third) < mean_z_above(bounds.min.y) - LEAN
 }
 
 /// The view along −w that just holds the mesh, and the mesh in the middle of the picture.
@@ -108,7 +128,7 @@ fn lights(basis: &Basis) -> Vec<Light> {
     let from = |x: f32, y: f32, z: f32| (x * basis.u + y * basis.v + z * basis.w).normalize();
     vec![
         Light::Ambient { color: Rgb::splat(0.12) },
-        Light::Directional { to_light: from(-0.6, 0.8, 0.8), color: vec3(0.95, 0.92, 0.86) },
+        Light::Directional { to_light: from(-0.6, 0.8, 0.8), color: vec3(0.82, 0.79, 0.74) },
         Light::Directional { to_light: from(0.9, 0.1, 0.5), color: vec3(0.16, 0.19, 0.24) },
     ]
 }

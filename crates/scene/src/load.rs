@@ -86,8 +86,15 @@ impl Loaded {
 fn import(path: &Path, bytes: &[u8], warnings: &mut Vec<String>) -> Result<Arc<Import>, SceneError> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut load_mtl = |mtl: &str| read(&folder.join(mtl), MOST_MESH_BYTES);
-    let import = obj::parse(bytes, &path.display().to_string(), &mut load_mtl)?;
+    let mut import = obj::parse(bytes, &path.display().to_string(), &mut load_mtl)?;
     warnings.extend(import.warnings.iter().map(ToString::to_string));
+    if import.mesh.has_face_normals_only() {
+        warnings.push(format!(
+            "{}: the file gives each face one normal, which makes nothing smooth; vertex normals are computed instead",
+            path.display()
+        ));
+        import.mesh = import.mesh.without_normals();
+    }
     Ok(Arc::new(import))
 }
 

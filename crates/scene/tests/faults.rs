@@ -46,7 +46,7 @@ const FAULTS: &[Fault] = &[
     ("[1, 2, 8]", "[1, 2, 1e400]", (2, 14), "`camera.eye[2]` is 1e400", "a finite number"),
     ("[1, 2, 8]", "[1, 2, 1e12]", (2, 14), "`camera.eye[2]` is 1e12", "at most 1e9"),
     ("[1, 2, 8]", "[1, 2, true]", (2, 14), "`camera.eye[2]` is true", "a number"),
-    ("[1, 2, 8]", "[1, 2, 8", (2, 1), "", "TOML"),
+    ("[1, 2, 8]", "[1, 2, 8", (3, 1), "missing comma", "TOML"),
     // Camera.
     ("fov = 40", "fov = 0", (4, 7), "`camera.fov` is 0", "between 0 and 180"),
     ("fov = 40", "fov = 180", (4, 7), "`camera.fov` is 180", "between 0 and 180"),
@@ -122,7 +122,13 @@ const FAULTS: &[Fault] = &[
         "one thing at a time",
         "{ scale = 2 }",
     ),
-    ("minor = 0.5", "minor = 0.5\ninstances = []", (14, 13), "a list of 0", "leave the key out"),
+    (
+        "minor = 0.5",
+        "minor = 0.5\ninstances = []",
+        (14, 13),
+        "`object[0].instances` is []",
+        "leave the key out",
+    ),
     // Settings.
     (
         "[camera]",

@@ -32,16 +32,9 @@ deviation_by_components!(Vec2: to_array, Vec3: to_array, Vec4: to_array, Mat3: t
 fn greatest(ours: &[f32], theirs: &[f32]) -> f32 {
     // `f32::max` would drop a NaN, and with it the news that something is badly wrong.
     let larger = |a: f32, b: f32| {
-        if a.is_nan() || b.is_nan() {
-            f32::NAN
-        } else {
-            a.max(b)
-        }
+        if a.is_nan() || b.is_nan() { f32::NAN } else { a.max(b) }
     };
-    ours.iter()
-        .zip(theirs)
-        .map(|(a, b)| (a - b).abs())
-        .fold(0.0, larger)
+    ours.iter().zip(theirs).map(|(a, b)| (a - b).abs()).fold(0.0, larger)
 }
 
 /// `Ok` if `got` lies within `bound` of `want` in every component; a NaN anywhere is a failure. For use in a law.
@@ -63,11 +56,7 @@ pub fn ensure_close<T: Deviation>(what: &str, got: T, want: T, bound: f32) -> Ou
 /// # Errors
 /// A failure with the sentence `otherwise`.
 pub fn ensure(condition: bool, otherwise: impl FnOnce() -> String) -> Outcome {
-    if condition {
-        Ok(())
-    } else {
-        Err(TestCaseError::fail(otherwise()))
-    }
+    if condition { Ok(()) } else { Err(TestCaseError::fail(otherwise())) }
 }
 
 /// Panics unless `got` lies within `bound` of `want` in every component. For use in a unit test.

@@ -44,11 +44,7 @@ impl Law {
 
     /// A law, by the sentence that it states.
     pub fn new(sentence: &str) -> Self {
-        Self {
-            sentence: sentence.to_owned(),
-            cases: Self::CASES,
-            demands: Vec::new(),
-        }
+        Self { sentence: sentence.to_owned(), cases: Self::CASES, demands: Vec::new() }
     }
 
     /// How many inputs to try.
@@ -102,10 +98,9 @@ impl Law {
                 input: format!("{input:#?}"),
                 reason: reason.message().to_owned(),
             }),
-            Err(TestError::Abort(reason)) => Err(Failure::Aborted {
-                law: self.sentence.clone(),
-                reason: reason.message().to_owned(),
-            }),
+            Err(TestError::Abort(reason)) => {
+                Err(Failure::Aborted { law: self.sentence.clone(), reason: reason.message().to_owned() })
+            }
         }
     }
 
@@ -131,18 +126,10 @@ impl Law {
             return Ok(());
         }
         let table = self.demands.iter().map(|(name, demanded)| match share(name) {
-            Some(share) => format!(
-                "  {name}: {:.1} %, demanded {:.1} %\n",
-                100.0 * share,
-                100.0 * demanded
-            ),
+            Some(share) => format!("  {name}: {:.1} %, demanded {:.1} %\n", 100.0 * share, 100.0 * demanded),
             None => format!("  {name}: the check never names this class\n"),
         });
-        Err(Failure::Coverage {
-            law: self.sentence.clone(),
-            cases,
-            table: table.collect(),
-        })
+        Err(Failure::Coverage { law: self.sentence.clone(), cases, table: table.collect() })
     }
 }
 
@@ -180,10 +167,7 @@ impl std::fmt::Display for Failure {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Counterexample { law, input, reason } => {
-                write!(
-                    f,
-                    "law broken: {law}\nbecause: {reason}\nsmallest input found: {input}"
-                )
+                write!(f, "law broken: {law}\nbecause: {reason}\nsmallest input found: {input}")
             }
             Self::Coverage { law, cases, table } => {
                 write!(f, "law not tested well enough: {law}\nof {cases} inputs\n{table}")
@@ -197,9 +181,9 @@ impl std::error::Error for Failure {}
 
 /// FNV-1a: the same seed for the same sentence on every machine.
 fn seed_of(sentence: &str) -> u64 {
-    sentence.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    })
+    sentence
+        .bytes()
+        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
 #[cfg(test)]
@@ -213,9 +197,7 @@ mod tests {
             prop_assert!(n < 700);
             Ok(())
         });
-        let Err(Failure::Counterexample { input, .. }) = failure else {
-            panic!("not refuted: {failure:?}")
-        };
+        let Err(Failure::Counterexample { input, .. }) = failure else { panic!("not refuted: {failure:?}") };
         assert_eq!(input, "700");
     }
 
@@ -232,9 +214,7 @@ mod tests {
 
     #[test]
     fn a_demanded_class_that_is_never_named_is_refused() {
-        let failure = Law::new("nothing")
-            .demand("hit", 0.0)
-            .verdict(0..9_u32, |_, _| Ok(()));
+        let failure = Law::new("nothing").demand("hit", 0.0).verdict(0..9_u32, |_, _| Ok(()));
         assert!(matches!(failure, Err(Failure::Coverage { .. })), "{failure:?}");
     }
 

@@ -42,11 +42,7 @@ pub fn rotation() -> impl Strategy<Value = Mat3> + Clone {
 
 /// A right-handed orthonormal basis in any position.
 pub fn basis() -> impl Strategy<Value = Basis> + Clone {
-    rotation().prop_map(|r| Basis {
-        u: r.x_axis,
-        v: r.y_axis,
-        w: r.z_axis,
-    })
+    rotation().prop_map(|r| Basis { u: r.x_axis, v: r.y_axis, w: r.z_axis })
 }
 
 /// An affine map: a rotation after an uneven scale in [½, 2] after a shear, then a shift of at most `extent`.
@@ -64,15 +60,16 @@ pub fn affine(extent: f32) -> impl Strategy<Value = Mat4> + Clone {
 /// A triangle with corners in the cube [−`extent`, `extent`]³ that is not a sliver: the sine of the angle at a is at
 /// least 0.05, and no edge at a is shorter than extent / 20.
 pub fn triangle(extent: f32) -> impl Strategy<Value = Triangle> + Clone {
-    (point(extent), point(extent), point(extent))
-        .prop_map(|(a, b, c)| Triangle { a, b, c })
-        .prop_filter("a sliver", move |t| {
+    (point(extent), point(extent), point(extent)).prop_map(|(a, b, c)| Triangle { a, b, c }).prop_filter(
+        "a sliver",
+        move |t| {
             let (ab, ac) = (t.b - t.a, t.c - t.a);
             let shortest = extent / 20.0;
             ab.length() > shortest
                 && ac.length() > shortest
                 && t.cross().length() > 0.05 * ab.length() * ac.length()
-        })
+        },
+    )
 }
 
 /// Barycentric coordinates of a point strictly inside a triangle, each at least `margin` (below ⅓).
@@ -99,28 +96,20 @@ pub fn ray_at(triangle: Triangle, extent: f32) -> impl Strategy<Value = Ray> + C
 /// A camera somewhere in the cube [−10, 10]³ that looks anywhere, up not parallel to its gaze.
 pub fn camera() -> impl Strategy<Value = Camera> + Clone {
     (point(10.0), unit_vector(), unit_vector())
-        .prop_filter("up along the gaze", |(_, gaze, up)| {
-            gaze.cross(*up).length() > 0.1
-        })
+        .prop_filter("up along the gaze", |(_, gaze, up)| gaze.cross(*up).length() > 0.1)
         .prop_map(|(eye, gaze, up)| Camera::look_at(eye, eye + gaze, up).expect("gaze and up are checked"))
 }
 
 /// An off-centre viewing volume, 0 > near > far.
 pub fn view_volume() -> impl Strategy<Value = ViewVolume> + Clone {
-    (
-        -2.0_f32..1.0,
-        0.5_f32..3.0,
-        -2.0_f32..1.0,
-        0.5_f32..3.0,
-        0.2_f32..2.0,
-        1.0_f32..50.0,
-    )
-        .prop_map(|(left, width, bottom, height, near, depth)| ViewVolume {
+    (-2.0_f32..1.0, 0.5_f32..3.0, -2.0_f32..1.0, 0.5_f32..3.0, 0.2_f32..2.0, 1.0_f32..50.0).prop_map(
+        |(left, width, bottom, height, near, depth)| ViewVolume {
             left,
             right: left + width,
             bottom,
             top: bottom + height,
             near: -near,
             far: -near - depth,
-        })
+        },
+    )
 }

@@ -9,24 +9,13 @@ use transforms::{Camera, Pipeline, ViewVolume};
 
 fn chain(c: &mut Criterion) {
     let camera = Camera::look_at(vec3(3.0, 2.0, 5.0), vec3(0.5, 0.0, -1.0), Vec3::Y).expect("a camera");
-    let volume = ViewVolume {
-        left: -1.0,
-        right: 1.5,
-        bottom: -0.75,
-        top: 1.0,
-        near: -2.0,
-        far: -20.0,
-    };
+    let volume = ViewVolume { left: -1.0, right: 1.5, bottom: -0.75, top: 1.0, near: -2.0, far: -20.0 };
     let pipeline = Pipeline::new(camera, volume, 640, 480).expect("a pipeline");
-    let points: Vec<Vec3> = (0..1000)
-        .map(|k| vec3((k % 10) as f32, (k / 10 % 10) as f32, -(k / 100) as f32))
-        .collect();
+    let points: Vec<Vec3> =
+        (0..1000).map(|k| vec3((k % 10) as f32, (k / 10 % 10) as f32, -(k / 100) as f32)).collect();
 
     let mut group = c.benchmark_group("world to screen, 1000 points");
-    group
-        .sample_size(20)
-        .measurement_time(Duration::from_secs(2))
-        .warm_up_time(Duration::from_millis(500));
+    group.sample_size(20).measurement_time(Duration::from_secs(2)).warm_up_time(Duration::from_millis(500));
     let factors = pipeline.factors().map(|factor| factor.matrix);
     group.bench_function("six factors one by one", |b| {
         b.iter(|| {

@@ -19,10 +19,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let traced = pipeline.trace(vec3(1.0, 0.5, 0.25));
     println!("world     {}", traced.world);
     println!("camera    {}", traced.camera);
-    println!(
-        "clip      {}   (w is z in camera space: negative, since the point is visible)",
-        traced.clip
-    );
+    println!("clip      {}   (w is z in camera space: negative, since the point is visible)", traced.clip);
     if let (Some(canonical), Some(screen)) = (traced.canonical, traced.screen) {
         println!("canonical {canonical}");
         println!("screen    {screen}");

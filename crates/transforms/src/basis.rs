@@ -69,9 +69,7 @@ impl Basis {
             }
         }
         // In f64, so that directions of 1e-30 or 1e30 lose nothing in their squared lengths.
-        let w = (-gaze.as_dvec3())
-            .try_normalize()
-            .ok_or(DegenerateBasis::ZeroGaze)?;
+        let w = (-gaze.as_dvec3()).try_normalize().ok_or(DegenerateBasis::ZeroGaze)?;
         let up_unit = up.as_dvec3().try_normalize().ok_or(DegenerateBasis::ZeroUp)?;
         let right = up_unit.cross(w);
         if right.length() < PARALLEL_SINE {
@@ -79,11 +77,7 @@ impl Basis {
         }
         let u = right.normalize();
         let v = w.cross(u);
-        Ok(Self {
-            u: u.as_vec3(),
-            v: v.as_vec3(),
-            w: w.as_vec3(),
-        })
+        Ok(Self { u: u.as_vec3(), v: v.as_vec3(), w: w.as_vec3() })
     }
 
     /// R_uvw, the matrix with rows u, v, w: it carries u, v, w to x, y, z (L11). Its transpose is its inverse.
@@ -126,27 +120,15 @@ mod tests {
     #[test]
     fn up_along_the_gaze_is_an_error_that_names_both() {
         let (gaze, up) = (vec3(1.0, 2.0, 3.0), vec3(-2.0, -4.0, -6.0));
-        assert_eq!(
-            Basis::from_gaze_and_up(gaze, up),
-            Err(DegenerateBasis::UpParallelToGaze { gaze, up })
-        );
+        assert_eq!(Basis::from_gaze_and_up(gaze, up), Err(DegenerateBasis::UpParallelToGaze { gaze, up }));
     }
 
     #[test]
     fn zero_and_nan_directions_are_errors_that_name_the_vector() {
-        assert_eq!(
-            Basis::from_gaze_and_up(Vec3::ZERO, Vec3::Y),
-            Err(DegenerateBasis::ZeroGaze)
-        );
-        assert_eq!(
-            Basis::from_gaze_and_up(Vec3::X, Vec3::ZERO),
-            Err(DegenerateBasis::ZeroUp)
-        );
+        assert_eq!(Basis::from_gaze_and_up(Vec3::ZERO, Vec3::Y), Err(DegenerateBasis::ZeroGaze));
+        assert_eq!(Basis::from_gaze_and_up(Vec3::X, Vec3::ZERO), Err(DegenerateBasis::ZeroUp));
         let broken = Basis::from_gaze_and_up(Vec3::X, vec3(0.0, f32::NAN, 0.0));
-        assert!(
-            matches!(broken, Err(DegenerateBasis::NotFinite { name: "up", .. })),
-            "{broken:?}"
-        );
+        assert!(matches!(broken, Err(DegenerateBasis::NotFinite { name: "up", .. })), "{broken:?}");
     }
 
     #[test]
@@ -159,16 +141,8 @@ mod tests {
 
     #[test]
     fn bases_of_opposite_handedness_give_a_mirror_not_a_rotation() {
-        let right = Basis {
-            u: Vec3::X,
-            v: Vec3::Y,
-            w: Vec3::Z,
-        };
-        let left = Basis {
-            u: Vec3::X,
-            v: Vec3::Y,
-            w: Vec3::NEG_Z,
-        };
+        let right = Basis { u: Vec3::X, v: Vec3::Y, w: Vec3::Z };
+        let left = Basis { u: Vec3::X, v: Vec3::Y, w: Vec3::NEG_Z };
         assert_eq!(change_of_basis(&right, &left).determinant(), -1.0);
     }
 }

@@ -20,6 +20,9 @@ pub enum DegenerateCamera {
     /// The target is not a point.
     #[error("the target is at {0}: not a finite point")]
     TargetNotFinite(Vec3),
+    /// The eye is so far out that its camera coordinates overflow.
+    #[error("the eye is at {0}: too far from the origin for 32-bit numbers")]
+    TooFar(Vec3),
     /// Gaze and up span no frame.
     #[error(transparent)]
     Basis(#[from] DegenerateBasis),
@@ -47,10 +50,8 @@ impl Camera {
         if !target.is_finite() {
             return Err(DegenerateCamera::TargetNotFinite(target));
         }
-        Ok(Self {
-            eye,
-            basis: Basis::from_gaze_and_up(target - eye, up)?,
-        })
+        let camera = Self { eye, basis: Basis::from_gaze_and_up(target - eye, up)? };
+        if camera.camera_from_world().is_finite() { Ok(camera) } else { Err(DegenerateCamera::TooFar(eye)) }
     }
 
     /// e: where the camera is, in world space.
@@ -88,5 +89,26 @@ impl Camera {
     #[must_use]
     pub fn rotation(&self) -> Mat4 {
         Mat4::from_mat3(Mat3::from_cols(self.basis.u, self.basis.v, self.basis.w).transpose())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::vec3;
+
+    #[test]
+    fn an_eye_that_overflows_is_an_error_and_not_an_infinite_matrix() {
+        let eye = Vec3::splat(3e38);
+        assert_eq!(Camera::look_at(eye, vec3(0.0, 1e38, 2e38), Vec3::Y), Err(DegenerateCamera::TooFar(eye)));
+    }
+
+    #[test]
+    fn an_eye_at_its_own_target_or_nowhere_is_an_error() {
+        let p = vec3(1.0, 2.0, 3.0);
+        assert_eq!(Camera::look_at(p, p, Vec3::Y), Err(DegenerateBasis::ZeroGaze.into()));
+        let nowhere = vec3(1.0, f32::NAN, 3.0);
+        assert!(matches!(Camera::look_at(nowhere, p, Vec3::Y), Err(DegenerateCamera::EyeNotFinite(_))));
+        assert!(matches!(Camera::look_at(p, nowhere, Vec3::Y), Err(DegenerateCamera::TargetNotFinite(_))));
     }
 }

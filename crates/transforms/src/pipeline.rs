@@ -52,7 +52,8 @@ pub struct Traced {
     pub camera: Vec3,
     /// In clip space, before the division; w = z_camera, negative for visible points (E2).
     pub clip: Vec4,
-    /// In the canonical cube, after the division; `None` for a point at the height of the eye, whose w is 0.
+    /// In the canonical cube, after the division; `None` for a point in the plane of the eye, whose w is 0. A point behind
+    /// the eye (w > 0) has one too, mirrored: that is why clipping comes before the division.
     pub canonical: Option<Vec3>,
     /// On the screen: x and y in pixels, y upwards, z as in the canonical cube.
     pub screen: Option<Vec3>,
@@ -65,15 +66,15 @@ impl Pipeline {
     /// [`DegeneratePipeline`] if the volume is degenerate or the screen has no pixels.
     ///
     /// ```
-    /// use glam::{Vec3, vec3};
+    /// use glam::{Vec3, vec2, vec3};
     /// use transforms::{Camera, Pipeline, ViewVolume};
     ///
     /// let camera = Camera::look_at(vec3(0.0, 0.0, 4.0), Vec3::ZERO, Vec3::Y)?;
     /// let volume = ViewVolume { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0, near: -1.0, far: -9.0 };
     /// let traced = Pipeline::new(camera, volume, 200, 100)?.trace(vec3(2.0, 1.0, 0.0));
     /// assert_eq!(traced.camera, vec3(2.0, 1.0, -4.0));
-    /// assert_eq!(traced.canonical.unwrap().truncate(), vec3(0.5, 0.25, 0.0).truncate());
-    /// assert_eq!(traced.screen.unwrap().truncate(), vec3(149.5, 62.0, 0.0).truncate());
+    /// assert_eq!(traced.canonical.unwrap().truncate(), vec2(0.5, 0.25));
+    /// assert_eq!(traced.screen.unwrap().truncate(), vec2(149.5, 62.0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn new(
@@ -86,12 +87,7 @@ impl Pipeline {
         if width == 0 || height == 0 {
             return Err(DegeneratePipeline::NoPixels { width, height });
         }
-        Ok(Self {
-            camera,
-            volume,
-            width,
-            height,
-        })
+        Ok(Self { camera, volume, width, height })
     }
 
     /// V · S · C · P · R · T: from the world to the screen; divide by w afterwards.
@@ -128,11 +124,7 @@ impl Pipeline {
     /// [`Pipeline::screen_from_world`] (E1).
     #[must_use]
     pub fn factors(&self) -> [Factor; 6] {
-        let factor = |symbol, meaning, matrix| Factor {
-            symbol,
-            meaning,
-            matrix,
-        };
+        let factor = |symbol, meaning, matrix| Factor { symbol, meaning, matrix };
         [
             factor('T', "move the eye to the origin", self.camera.translation()),
             factor('R', "turn u, v, w to x, y, z", self.camera.rotation()),
@@ -141,17 +133,9 @@ impl Pipeline {
                 "bend the pyramid into a box",
                 projection::perspective(self.volume.near, self.volume.far),
             ),
-            factor(
-                'C',
-                "move the middle of the box to the origin",
-                projection::center(&self.volume),
-            ),
+            factor('C', "move the middle of the box to the origin", projection::center(&self.volume)),
             factor('S', "scale the box to the cube", projection::scale(&self.volume)),
-            factor(
-                'V',
-                "spread the square over the pixels",
-                self.screen_from_canonical(),
-            ),
+            factor('V', "spread the square over the pixels", self.screen_from_canonical()),
         ]
     }
 
@@ -160,15 +144,9 @@ impl Pipeline {
     pub fn trace(&self, p_world: Vec3) -> Traced {
         let camera = self.camera_from_world().transform_point3(p_world);
         let clip = self.canonical_from_camera() * camera.extend(1.0);
-        let canonical = (clip.w != 0.0).then(|| clip.truncate() / clip.w);
+        let canonical = Some(clip.truncate() / clip.w).filter(|p| p.is_finite());
         let screen = canonical.map(|p| self.screen_from_canonical().transform_point3(p));
-        Traced {
-            world: p_world,
-            camera,
-            clip,
-            canonical,
-            screen,
-        }
+        Traced { world: p_world, camera, clip, canonical, screen }
     }
 
     /// The camera.

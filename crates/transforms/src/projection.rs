@@ -21,16 +21,15 @@ use crate::ViewVolume;
 /// - `near`, `far`: n and f, negative, camera space.
 ///
 /// # Panics
-/// Unless `near` and `far` are finite, negative and different.
+/// Unless `near` and `far` are finite, negative and different, and their product is in the range of f32.
 ///
 /// ```
-/// use glam::vec3;
+/// use glam::{vec2, vec3};
 /// use transforms::projection::perspective;
 ///
 /// let p = perspective(-2.0, -50.0);
 /// // Twice as far as the window: half the size on it.
-/// assert_eq!(p.project_point3(vec3(3.0, 1.0, -4.0)).truncate(), vec3(1.5, 0.5, 0.0).truncate());
-/// # use transforms::projection;
+/// assert_eq!(p.project_point3(vec3(3.0, 1.0, -4.0)).truncate(), vec2(1.5, 0.5));
 /// ```
 #[must_use]
 pub fn perspective(near: f32, far: f32) -> Mat4 {
@@ -39,7 +38,9 @@ pub fn perspective(near: f32, far: f32) -> Mat4 {
         before_the_eye && near != far,
         "near = {near} and far = {far} must be two different negative numbers"
     );
-    perspective_unchecked(near, far)
+    let p = perspective_unchecked(near, far);
+    assert!(p.is_finite(), "near = {near} and far = {far} are too large: their product overflows");
+    p
 }
 
 pub(crate) fn perspective_unchecked(near: f32, far: f32) -> Mat4 {
@@ -82,35 +83,19 @@ pub fn canonical_from_camera(volume: &ViewVolume) -> Mat4 {
     orthographic(volume) * perspective(volume.near, volume.far)
 }
 
-/// S (L3): scale by 2/(r − l), 2/(t − b), 2/(n − f). One factor of [`orthographic`], for those who want to see it.
+/// S (L3): scale by 2/(r − l), 2/(t − b), 2/(n − f). One factor of [`orthographic`], for those who want to see it; it does
+/// not check the volume ([`ViewVolume::validate`]).
 #[must_use]
 pub fn scale(volume: &ViewVolume) -> Mat4 {
-    let ViewVolume {
-        left,
-        right,
-        bottom,
-        top,
-        near,
-        far,
-    } = *volume;
-    Mat4::from_scale(glam::vec3(
-        2.0 / (right - left),
-        2.0 / (top - bottom),
-        2.0 / (near - far),
-    ))
+    let ViewVolume { left, right, bottom, top, near, far } = *volume;
+    Mat4::from_scale(glam::vec3(2.0 / (right - left), 2.0 / (top - bottom), 2.0 / (near - far)))
 }
 
-/// C (L3): move the middle of the box to the origin. One factor of [`orthographic`], for those who want to see it.
+/// C (L3): move the middle of the box to the origin. One factor of [`orthographic`], for those who want to see it; it does
+/// not check the volume ([`ViewVolume::validate`]).
 #[must_use]
 pub fn center(volume: &ViewVolume) -> Mat4 {
-    let ViewVolume {
-        left,
-        right,
-        bottom,
-        top,
-        near,
-        far,
-    } = *volume;
+    let ViewVolume { left, right, bottom, top, near, far } = *volume;
     Mat4::from_translation(-0.5 * glam::vec3(left + right, bottom + top, near + far))
 }
 

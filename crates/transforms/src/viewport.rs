@@ -23,10 +23,7 @@ use crate::{ViewVolume, affine2};
 /// ```
 #[must_use]
 pub fn screen_from_canonical(width: u32, height: u32) -> Mat4 {
-    assert!(
-        width > 0 && height > 0,
-        "a screen of {width} × {height} pixels has no pixels"
-    );
+    assert!(width > 0 && height > 0, "a screen of {width} × {height} pixels has no pixels");
     let (n_x, n_y) = (width as f32, height as f32);
     let scale = Mat4::from_scale(vec3(0.5 * n_x, 0.5 * n_y, 1.0));
     Mat4::from_translation(vec3(0.5 * (n_x - 1.0), 0.5 * (n_y - 1.0), 0.0)) * scale
@@ -35,20 +32,16 @@ pub fn screen_from_canonical(width: u32, height: u32) -> Mat4 {
 /// The window transform (L8), 3×3: from pixels (i, j, 1) to the window [l, r] × [b, t] on the view plane.
 ///
 /// translate(l, b) · scale((r−l)/n_x, (t−b)/n_y) · translate(½, ½). The slide's last factor has a 0 in the corner where
-/// a 1 belongs (E14): with it, no pixel would ever be moved by (l, b).
+/// a 1 belongs (E14): with it, no pixel would ever be moved by (l, b). The volume is not checked
+/// ([`ViewVolume::validate`]).
 ///
 /// # Panics
 /// If `width` or `height` is 0.
 #[must_use]
 pub fn window_from_pixel(volume: &ViewVolume, width: u32, height: u32) -> Mat3 {
-    assert!(
-        width > 0 && height > 0,
-        "a screen of {width} × {height} pixels has no pixels"
-    );
-    let pixel_size = vec2(
-        (volume.right - volume.left) / width as f32,
-        (volume.top - volume.bottom) / height as f32,
-    );
+    assert!(width > 0 && height > 0, "a screen of {width} × {height} pixels has no pixels");
+    let pixel_size =
+        vec2((volume.right - volume.left) / width as f32, (volume.top - volume.bottom) / height as f32);
     affine2::translate(vec2(volume.left, volume.bottom))
         * affine2::scale(pixel_size)
         * affine2::translate(Vec2::splat(0.5))
@@ -70,10 +63,7 @@ pub fn window_from_pixel(volume: &ViewVolume, width: u32, height: u32) -> Mat3 {
 /// ```
 #[must_use]
 pub fn window_point(volume: &ViewVolume, width: u32, height: u32, pixel: Vec2) -> Vec2 {
-    assert!(
-        width > 0 && height > 0,
-        "a screen of {width} × {height} pixels has no pixels"
-    );
+    assert!(width > 0 && height > 0, "a screen of {width} × {height} pixels has no pixels");
     vec2(
         volume.left + (volume.right - volume.left) * (pixel.x + 0.5) / width as f32,
         volume.bottom + (volume.top - volume.bottom) * (pixel.y + 0.5) / height as f32,
@@ -88,14 +78,7 @@ mod tests {
     fn the_slides_window_matrix_loses_the_corner_of_the_window() {
         // E14: the printed translation by (½, ½) has 0 in its corner.
         let slide_half = Mat3::from_cols(vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.5, 0.5, 0.0));
-        let volume = ViewVolume {
-            left: -2.0,
-            right: 4.0,
-            bottom: -1.0,
-            top: 3.0,
-            near: -1.0,
-            far: -9.0,
-        };
+        let volume = ViewVolume { left: -2.0, right: 4.0, bottom: -1.0, top: 3.0, near: -1.0, far: -9.0 };
         let slide =
             affine2::translate(vec2(-2.0, -1.0)) * affine2::scale(vec2(6.0 / 12.0, 4.0 / 8.0)) * slide_half;
         let pixel = vec3(3.0, 5.0, 1.0);

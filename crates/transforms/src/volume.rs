@@ -1,5 +1,9 @@
 //! What does the eye see? A truncated pyramid (L7), given by its window on the near plane.
 
+use glam::{Vec3, vec3};
+
+use crate::projection;
+
 /// A viewing volume (Fig 7.7): the window [`left`, `right`] × [`bottom`, `top`] on the view plane w = `near`, seen from the
 /// eye, as far as w = `far`.
 ///
@@ -20,6 +24,10 @@ pub struct ViewVolume {
     /// f: the w-coordinate of the far plane; less than `near`.
     pub far: f32,
 }
+
+/// How far from ±1 a corner of the volume may land: half a pixel on a screen 1000 wide. A volume that rounding moves farther
+/// than that would give a picture that looks wrong without saying so.
+const CORNER_TOLERANCE: f32 = 1e-3;
 
 /// Why six numbers are no viewing volume.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -79,18 +87,8 @@ pub enum DegenerateVolume {
 
 impl std::fmt::Display for ViewVolume {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self {
-            left,
-            right,
-            bottom,
-            top,
-            near,
-            far,
-        } = self;
-        write!(
-            f,
-            "left {left}, right {right}, bottom {bottom}, top {top}, near {near}, far {far}"
-        )
+        let Self { left, right, bottom, top, near, far } = self;
+        write!(f, "left {left}, right {right}, bottom {bottom}, top {top}, near {near}, far {far}")
     }
 }
 
@@ -118,14 +116,7 @@ impl ViewVolume {
         }
         let top = -near * (0.5 * fov_y).tan();
         let right = aspect * top;
-        let volume = Self {
-            left: -right,
-            right,
-            bottom: -top,
-            top,
-            near,
-            far,
-        };
+        let volume = Self { left: -right, right, bottom: -top, top, near, far };
         volume.validate()?;
         Ok(volume)
     }
@@ -135,14 +126,7 @@ impl ViewVolume {
     /// # Errors
     /// [`DegenerateVolume`] names the first thing that is wrong.
     pub fn validate(&self) -> Result<(), DegenerateVolume> {
-        let Self {
-            left,
-            right,
-            bottom,
-            top,
-            near,
-            far,
-        } = *self;
+        let Self { left, right, bottom, top, near, far } = *self;
         let named = [
             ("near", near),
             ("far", far),
@@ -182,12 +166,20 @@ impl ViewVolume {
         (self.right - self.left) / (self.top - self.bottom)
     }
 
+    /// Whether the matrices carry two opposite corners to (1, 1, 1) and (−1, −1, −1), to within [`CORNER_TOLERANCE`].
+    ///
+    /// f·n or 2/(r − l) can leave the range of f32, and r − l or n − f can be lost in the rounding of their own terms.
     fn has_usable_matrix(&self) -> bool {
-        let m = crate::projection::scale(self)
-            * crate::projection::center(self)
-            * crate::projection::perspective_unchecked(self.near, self.far);
-        // f·n or 2/(r − l) can leave the range of f32, and a determinant of 0 means that an axis was lost.
-        m.is_finite() && m.x_axis.x != 0.0 && m.y_axis.y != 0.0 && m.w_axis.z != 0.0
+        let Self { left, right, bottom, top, near, far } = *self;
+        let m =
+            projection::scale(self) * projection::center(self) * projection::perspective_unchecked(near, far);
+        let spread = far / near;
+        let corners = [(vec3(right, top, near), 1.0), (vec3(left * spread, bottom * spread, far), -1.0)];
+        m.is_finite()
+            && corners.iter().all(|(corner, want)| {
+                let clip = m * corner.extend(1.0);
+                (clip.truncate() / clip.w).abs_diff_eq(Vec3::splat(*want), CORNER_TOLERANCE)
+            })
     }
 }
 
@@ -195,90 +187,43 @@ impl ViewVolume {
 mod tests {
     use super::*;
 
-    const VOLUME: ViewVolume = ViewVolume {
-        left: -1.0,
-        right: 3.0,
-        bottom: -2.0,
-        top: 1.0,
-        near: -1.5,
-        far: -40.0,
-    };
+    const VOLUME: ViewVolume =
+        ViewVolume { left: -1.0, right: 3.0, bottom: -2.0, top: 1.0, near: -1.5, far: -40.0 };
 
     #[test]
     fn each_degenerate_number_is_named() {
         use DegenerateVolume::*;
         let errors = [
-            (
-                ViewVolume {
-                    right: -1.0,
-                    ..VOLUME
-                },
-                NoWidth {
-                    left: -1.0,
-                    right: -1.0,
-                },
-            ),
-            (
-                ViewVolume { top: -3.0, ..VOLUME },
-                NoHeight {
-                    bottom: -2.0,
-                    top: -3.0,
-                },
-            ),
-            (
-                ViewVolume { far: -1.5, ..VOLUME },
-                NoDepth {
-                    near: -1.5,
-                    far: -1.5,
-                },
-            ),
-            (
-                ViewVolume { near: 1.5, ..VOLUME },
-                NotBeforeTheEye {
-                    name: "near",
-                    value: 1.5,
-                },
-            ),
-            (
-                ViewVolume { far: 0.0, ..VOLUME },
-                NotBeforeTheEye {
-                    name: "far",
-                    value: 0.0,
-                },
-            ),
+            (ViewVolume { right: -1.0, ..VOLUME }, NoWidth { left: -1.0, right: -1.0 }),
+            (ViewVolume { top: -3.0, ..VOLUME }, NoHeight { bottom: -2.0, top: -3.0 }),
+            (ViewVolume { far: -1.5, ..VOLUME }, NoDepth { near: -1.5, far: -1.5 }),
+            (ViewVolume { near: 1.5, ..VOLUME }, NotBeforeTheEye { name: "near", value: 1.5 }),
+            (ViewVolume { far: 0.0, ..VOLUME }, NotBeforeTheEye { name: "far", value: 0.0 }),
         ];
         for (volume, error) in errors {
             assert_eq!(volume.validate(), Err(error));
         }
-        let nan = ViewVolume {
-            bottom: f32::NAN,
-            ..VOLUME
-        };
+        let nan = ViewVolume { bottom: f32::NAN, ..VOLUME };
         assert!(matches!(nan.validate(), Err(NotFinite { name: "bottom", .. })));
         assert_eq!(VOLUME.validate(), Ok(()));
     }
 
     #[test]
-    fn volumes_whose_matrix_overflows_are_refused() {
-        let far_away = ViewVolume {
-            near: -1e30,
-            far: -1e31,
-            ..VOLUME
-        };
-        assert!(matches!(
-            far_away.validate(),
-            Err(DegenerateVolume::TooExtreme(_))
-        ));
+    fn volumes_that_32_bits_cannot_hold_are_refused() {
+        let far_away = ViewVolume { near: -1e30, far: -1e31, ..VOLUME };
+        let too_thin = ViewVolume { near: -1.0, far: -1.000_000_1, ..VOLUME };
+        let too_far_aside = ViewVolume { left: 1e7, right: 1e7 + 1.0, ..VOLUME };
+        let too_near = ViewVolume { near: -1e-44, ..VOLUME };
+        for volume in [far_away, too_thin, too_far_aside, too_near] {
+            assert!(matches!(volume.validate(), Err(DegenerateVolume::TooExtreme(_))), "{volume}");
+        }
     }
 
     #[test]
     fn fields_of_view_outside_zero_to_pi_are_refused() {
         for fov_y in [0.0, -1.0, 3.2, f32::NAN] {
             let error = ViewVolume::from_fov_y(fov_y, 1.0, -1.0, -10.0);
-            assert!(
-                matches!(error, Err(DegenerateVolume::FieldOfView(_))),
-                "{fov_y}: {error:?}"
-            );
+            assert!(matches!(error, Err(DegenerateVolume::FieldOfView(_))), "{fov_y}: {error:?}");
         }
     }
 }

@@ -54,12 +54,7 @@ fn camera_matrix_and_its_inverse_undo_each_other() {
         (strategy::camera(), strategy::point(20.0)),
         |(camera, p), _| {
             let there = camera.camera_from_world().transform_point3(p);
-            ensure_close(
-                "p",
-                camera.world_from_camera().transform_point3(there),
-                p,
-                20.0 * 60.0 * EPS,
-            )
+            ensure_close("p", camera.world_from_camera().transform_point3(there), p, 20.0 * 60.0 * EPS)
         },
     );
 }
@@ -157,29 +152,23 @@ fn perspective_fixes_its_planes() {
 
 #[test]
 fn perspective_keeps_depth_order() {
-    Law::new("nearer stays nearer (L2)")
-        .demand("close together", 0.05)
-        .holds_for(
-            (strategy::view_volume(), 0.0_f32..1.0, 0.0_f32..1.0),
-            |(volume, s, t), seen| {
-                let depth = |share: f32| volume.near + share * (volume.far - volume.near);
-                let (near, far) = (depth(s.min(t)), depth(s.max(t)));
-                let m = perspective(volume.near, volume.far);
-                let (z_near, z_far) = (
-                    m.project_point3(vec3(0.0, 0.0, near)).z,
-                    m.project_point3(vec3(0.0, 0.0, far)).z,
-                );
-                // Canonical depth changes by fn/z² a unit; what is below the rounding of P may fall together.
-                let slope = volume.far * volume.near / (far * far);
-                let noise = 8.0 * EPS * volume.far * volume.far / near.abs();
-                seen.class("close together", near - far < 0.05 * (volume.near - volume.far));
-                let resolvable = slope * (near - far) > noise;
-                ensure(z_near >= z_far - noise, || format!("{z_near} < {z_far}"))?;
-                ensure(!resolvable || z_near > z_far, || {
-                    format!("{z_near} ≤ {z_far}, though far enough apart")
-                })
-            },
-        );
+    Law::new("nearer stays nearer (L2)").demand("close together", 0.05).holds_for(
+        (strategy::view_volume(), 0.0_f32..1.0, 0.0_f32..1.0),
+        |(volume, s, t), seen| {
+            let depth = |share: f32| volume.near + share * (volume.far - volume.near);
+            let (near, far) = (depth(s.min(t)), depth(s.max(t)));
+            let m = perspective(volume.near, volume.far);
+            let (z_near, z_far) =
+                (m.project_point3(vec3(0.0, 0.0, near)).z, m.project_point3(vec3(0.0, 0.0, far)).z);
+            // Canonical depth changes by fn/z² a unit; what is below the rounding of P may fall together.
+            let slope = volume.far * volume.near / (far * far);
+            let noise = 8.0 * EPS * volume.far * volume.far / near.abs();
+            seen.class("close together", near - far < 0.05 * (volume.near - volume.far));
+            let resolvable = slope * (near - far) > noise;
+            ensure(z_near >= z_far - noise, || format!("{z_near} < {z_far}"))?;
+            ensure(!resolvable || z_near > z_far, || format!("{z_near} ≤ {z_far}, though far enough apart"))
+        },
+    );
 }
 
 #[test]
@@ -191,15 +180,10 @@ fn perspective_maps_lines_to_lines() {
         let [a, b, c] = [p, q, p.lerp(q, s)].map(|point| m.project_point3(point));
         prop_assume!(a.distance(b) > 0.05);
         let off_the_line = (c - a).cross(b - a).length() / (b - a).length();
-        // Canonical coordinates are at most 1; camera coordinates carry ε relative to the farthest, which a point as near
-        // as n sees magnified by f/n, and z by another f/n: at most (50/0.2)² would be absurd, so measure per input.
+        // A camera coordinate of size up to |f|(1 + reach) is rounded by ε of that, and at depth |n| a camera unit is 1/|n|
+        // canonical units; about 32 such roundings lie on the way.
         let magnification = (volume.far / volume.near) * (1.0 + reach(&volume));
-        ensure_close(
-            "distance from the line",
-            off_the_line,
-            0.0,
-            32.0 * magnification * EPS,
-        )
+        ensure_close("distance from the line", off_the_line, 0.0, 32.0 * magnification * EPS)
     });
 }
 
@@ -213,29 +197,12 @@ fn reach(volume: &ViewVolume) -> f32 {
 #[test]
 fn orthographic_carries_the_corners_of_the_box_to_plus_and_minus_one() {
     Law::new("the box becomes the cube, near at +1 (L3)").holds_for(strategy::view_volume(), |volume, _| {
-        let ViewVolume {
-            left,
-            right,
-            bottom,
-            top,
-            near,
-            far,
-        } = volume;
+        let ViewVolume { left, right, bottom, top, near, far } = volume;
         let m = orthographic(&volume);
         // An off-centre box: the middle, up to `reach` widths away, is subtracted after scaling.
         let bound = 8.0 * (1.0 + 2.0 * reach(&volume) + 2.0 * far.abs() / (near - far)) * EPS;
-        ensure_close(
-            "right top near",
-            m.transform_point3(vec3(right, top, near)),
-            Vec3::ONE,
-            bound,
-        )?;
-        ensure_close(
-            "left bottom far",
-            m.transform_point3(vec3(left, bottom, far)),
-            Vec3::NEG_ONE,
-            bound,
-        )
+        ensure_close("right top near", m.transform_point3(vec3(right, top, near)), Vec3::ONE, bound)?;
+        ensure_close("left bottom far", m.transform_point3(vec3(left, bottom, far)), Vec3::NEG_ONE, bound)
     });
 }
 
@@ -246,9 +213,7 @@ fn visible_points_have_negative_clip_w_and_land_in_the_cube() {
         ensure_close("clip w", clip.w, p.z, EPS * p.z.abs())?;
         let canonical = clip.truncate() / clip.w;
         let bound = 32.0 * (1.0 + reach(&volume)) * (volume.far / volume.near) * EPS;
-        ensure(canonical.abs().max_element() <= 1.0 + bound, || {
-            format!("{canonical} outside the cube")
-        })
+        ensure(canonical.abs().max_element() <= 1.0 + bound, || format!("{canonical} outside the cube"))
     });
 }
 
@@ -257,9 +222,7 @@ fn viewport_and_window_transform_are_inverse_up_to_the_range() {
     Law::new("canonical → pixel → window is canonical → window (L4, L8)").holds_for(
         (strategy::view_volume(), 1_u32..4000, 1_u32..4000, point2(1.0)),
         |(volume, width, height, p), _| {
-            let pixel = screen_from_canonical(width, height)
-                .transform_point3(p.extend(0.0))
-                .truncate();
+            let pixel = screen_from_canonical(width, height).transform_point3(p.extend(0.0)).truncate();
             let window = window_from_pixel(&volume, width, height).transform_point2(pixel);
             let share = 0.5 * (p + 1.0);
             let want = vec2(
@@ -275,22 +238,11 @@ fn viewport_and_window_transform_are_inverse_up_to_the_range() {
 #[test]
 fn window_matrix_is_the_formula_of_u_s_and_v_s() {
     Law::new("the window matrix gives u_s and v_s (L8, L9)").holds_for(
-        (
-            strategy::view_volume(),
-            1_u32..4000,
-            1_u32..4000,
-            0.0_f32..1.0,
-            0.0_f32..1.0,
-        ),
+        (strategy::view_volume(), 1_u32..4000, 1_u32..4000, 0.0_f32..1.0, 0.0_f32..1.0),
         |(volume, width, height, x, y), _| {
             let pixel = vec2((x * width as f32).floor(), (y * height as f32).floor());
             let got = window_from_pixel(&volume, width, height).transform_point2(pixel);
-            ensure_close(
-                "(u_s, v_s)",
-                got,
-                window_point(&volume, width, height, pixel),
-                8.0 * 6.0 * EPS,
-            )
+            ensure_close("(u_s, v_s)", got, window_point(&volume, width, height, pixel), 8.0 * 6.0 * EPS)
         },
     );
 }
@@ -301,14 +253,7 @@ fn our_projection_is_opengls_frustum_with_the_signs_turned() {
         strategy::view_volume(),
         |volume, _| {
             let ours = transforms::opengl::opengl_clip_from_camera(&volume);
-            let ViewVolume {
-                left,
-                right,
-                bottom,
-                top,
-                near,
-                far,
-            } = volume;
+            let ViewVolume { left, right, bottom, top, near, far } = volume;
             let glams = glam::camera::rh::proj::opengl::frustum(left, right, bottom, top, -near, -far);
             // Entries up to 2fn/(f − n); ours come out of three products.
             let greatest = glams.to_cols_array().iter().fold(0.0_f32, |m, x| m.max(x.abs()));
@@ -320,16 +265,10 @@ fn our_projection_is_opengls_frustum_with_the_signs_turned() {
 #[test]
 fn our_camera_is_glams_right_handed_view() {
     Law::new("camera_from_world is glam's look_at").holds_for(
-        (
-            strategy::point(10.0),
-            strategy::unit_vector(),
-            strategy::unit_vector(),
-        ),
+        (strategy::point(10.0), strategy::unit_vector(), strategy::unit_vector()),
         |(eye, gaze, up), _| {
             prop_assume!(gaze.cross(up).length() > 0.1);
-            let ours = Camera::look_at(eye, eye + 3.0 * gaze, up)
-                .unwrap()
-                .camera_from_world();
+            let ours = Camera::look_at(eye, eye + 3.0 * gaze, up).unwrap().camera_from_world();
             let glams = glam::camera::rh::view::look_at_mat4(eye, eye + 3.0 * gaze, up);
             // The gaze is a difference of points up to 14, glam's in f32; up is at least sin 0.1 off it.
             ensure_close("view matrix", ours, glams, 10.0 * 18.0 * 10.0 * EPS)
@@ -337,14 +276,50 @@ fn our_camera_is_glams_right_handed_view() {
     );
 }
 
+/// Numbers of all sizes and signs, special ones among them.
+fn any_number() -> impl Strategy<Value = f32> + Clone {
+    prop_oneof![4 => -10.0_f32..10.0, 2 => any::<f32>(), 1 => Just(0.0), 1 => Just(f32::NAN), 1 => Just(-1.0)]
+}
+
+#[test]
+fn six_numbers_are_refused_or_give_a_cube() {
+    let sensible = strategy::view_volume();
+    let hostile = [(); 6]
+        .map(|()| any_number())
+        .prop_map(|[left, right, bottom, top, near, far]| ViewVolume { left, right, bottom, top, near, far });
+    let ordered = hostile.clone().prop_map(|v| ViewVolume {
+        left: v.left.min(v.right),
+        right: v.left.max(v.right),
+        bottom: v.bottom.min(v.top),
+        top: v.bottom.max(v.top),
+        near: (-v.near.abs()).max(-v.far.abs()),
+        far: (-v.near.abs()).min(-v.far.abs()),
+    });
+    Law::new("a volume is an error, or its corners land on ±1")
+        .cases(4000)
+        .demand("accepted", 0.2)
+        .demand("refused", 0.3)
+        .holds_for(prop_oneof![sensible, hostile, ordered], |volume, seen| {
+            let accepted = volume.validate().is_ok();
+            seen.class("accepted", accepted);
+            seen.class("refused", !accepted);
+            if !accepted {
+                return Ok(());
+            }
+            let m = transforms::canonical_from_camera(&volume);
+            let near_corner = m.project_point3(vec3(volume.right, volume.top, volume.near));
+            // A thousandth: what `validate` promises.
+            ensure_close("near corner", near_corner, Vec3::ONE, 1e-3)?;
+            let far_middle = m.project_point3(vec3(0.0, 0.0, volume.far));
+            ensure_close("far depth", far_middle.z, -1.0, 1e-3)
+        });
+}
+
 fn pipeline_and_point() -> impl Strategy<Value = (Pipeline, Vec3)> {
     (strategy::camera(), volume_and_point(), 1_u32..2000, 1_u32..2000).prop_map(
         |(camera, (volume, p), w, h)| {
             let p_world = camera.world_from_camera().transform_point3(p);
-            (
-                Pipeline::new(camera, volume, w, h).expect("a valid volume"),
-                p_world,
-            )
+            (Pipeline::new(camera, volume, w, h).expect("a valid volume"), p_world)
         },
     )
 }
@@ -362,10 +337,7 @@ fn pixel_bound(pipeline: &Pipeline) -> f32 {
 #[test]
 fn factors_in_order_of_action_multiply_to_the_whole() {
     Law::new("screen = V·S·C·P·R·T (E1)").holds_for(pipeline_and_point(), |(pipeline, p), _| {
-        let one_by_one = pipeline
-            .factors()
-            .iter()
-            .fold(p.extend(1.0), |v, factor| factor.matrix * v);
+        let one_by_one = pipeline.factors().iter().fold(p.extend(1.0), |v, factor| factor.matrix * v);
         let at_once = pipeline.screen_from_world().project_point3(p);
         ensure_close(
             "screen",
@@ -383,20 +355,14 @@ fn a_traced_point_passes_through_the_matrices_of_the_stages() {
         |(pipeline, p), _| {
             let traced = pipeline.trace(p);
             ensure(traced.world == p, || "world".to_owned())?;
-            ensure(
-                traced.camera == pipeline.camera_from_world().transform_point3(p),
-                || "camera".to_owned(),
-            )?;
+            ensure(traced.camera == pipeline.camera_from_world().transform_point3(p), || {
+                "camera".to_owned()
+            })?;
             let canonical = traced.canonical.expect("a visible point has w ≠ 0");
             let screen = traced.screen.expect("a visible point has w ≠ 0");
             ensure_close("z stays", screen.z, canonical.z, EPS)?;
             let at_once = pipeline.screen_from_world().project_point3(p);
-            ensure_close(
-                "screen",
-                screen.truncate(),
-                at_once.truncate(),
-                pixel_bound(&pipeline),
-            )
+            ensure_close("screen", screen.truncate(), at_once.truncate(), pixel_bound(&pipeline))
         },
     );
 }
@@ -405,22 +371,12 @@ fn a_traced_point_passes_through_the_matrices_of_the_stages() {
 fn the_slides_order_of_matrices_misses_the_screen() {
     // E1: camera · perspective · scale · translate · viewport, as the slide prints them, read as one product.
     let camera = Camera::look_at(vec3(3.0, 2.0, 5.0), vec3(0.5, 0.0, -1.0), Vec3::Y).unwrap();
-    let volume = ViewVolume {
-        left: -1.0,
-        right: 1.5,
-        bottom: -0.75,
-        top: 1.0,
-        near: -2.0,
-        far: -20.0,
-    };
+    let volume = ViewVolume { left: -1.0, right: 1.5, bottom: -0.75, top: 1.0, near: -2.0, far: -20.0 };
     let pipeline = Pipeline::new(camera, volume, 640, 480).unwrap();
     let [t, r, p, c, s, v] = pipeline.factors().map(|factor| factor.matrix);
     let target = vec3(0.5, 0.0, -1.0);
     let slide: Mat4 = r * t * p * s * c * v;
-    let (wrong, right) = (
-        slide.project_point3(target),
-        pipeline.screen_from_world().project_point3(target),
-    );
+    let (wrong, right) = (slide.project_point3(target), pipeline.screen_from_world().project_point3(target));
     // What the camera looks at lies at camera (0, 0), so on the window at 0: share 1/2.5 across, 0.75/1.75 up.
     testkit::assert_close(
         "right",
@@ -428,9 +384,6 @@ fn the_slides_order_of_matrices_misses_the_screen() {
         vec2(0.4 * 640.0 - 0.5, 0.75 / 1.75 * 480.0 - 0.5),
         1e-3,
     );
-    assert!(
-        wrong.truncate().distance(right.truncate()) > 100.0,
-        "the slide's order hits {wrong}"
-    );
+    assert!(wrong.truncate().distance(right.truncate()) > 100.0, "the slide's order hits {wrong}");
     assert_ne!(2.0 / (1.5_f32 - 1.0), s.x_axis.x, "`r-1` on the slide is r − l");
 }

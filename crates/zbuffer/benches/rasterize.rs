@@ -17,51 +17,18 @@ const SIDE: u32 = 1024;
 
 fn triangle(corners: [Vec3; 3]) -> ScreenTriangle {
     let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
-    let vertex = |k: usize| ScreenVertex {
-        position: corners[k],
-        inv_w: -0.1 - 0.2 * k as f32,
-        weights: weights[k],
-    };
-    ScreenTriangle {
-        vertices: [0, 1, 2].map(vertex),
-    }
+    let vertex =
+        |k: usize| ScreenVertex { position: corners[k], inv_w: -0.1 - 0.2 * k as f32, weights: weights[k] };
+    ScreenTriangle { vertices: [0, 1, 2].map(vertex) }
 }
 
 /// Four shapes: of a fine mesh, of a coarse one, of a wall, and a sliver across the screen whose bounding box is almost empty.
 fn shapes() -> [(&'static str, ScreenTriangle); 4] {
     [
-        (
-            "small",
-            triangle([
-                vec3(10.3, 20.1, 0.2),
-                vec3(14.9, 21.7, 0.3),
-                vec3(12.2, 25.4, 0.1),
-            ]),
-        ),
-        (
-            "medium",
-            triangle([
-                vec3(100.3, 20.1, 0.2),
-                vec3(164.9, 41.7, 0.3),
-                vec3(112.2, 95.4, 0.1),
-            ]),
-        ),
-        (
-            "large",
-            triangle([
-                vec3(-100.0, 3.0, 0.2),
-                vec3(1300.0, 150.0, 0.9),
-                vec3(300.0, 1400.0, -0.5),
-            ]),
-        ),
-        (
-            "sliver",
-            triangle([
-                vec3(3.0, 3.0, 0.2),
-                vec3(1020.0, 990.0, 0.3),
-                vec3(1020.0, 993.0, 0.1),
-            ]),
-        ),
+        ("small", triangle([vec3(10.3, 20.1, 0.2), vec3(14.9, 21.7, 0.3), vec3(12.2, 25.4, 0.1)])),
+        ("medium", triangle([vec3(100.3, 20.1, 0.2), vec3(164.9, 41.7, 0.3), vec3(112.2, 95.4, 0.1)])),
+        ("large", triangle([vec3(-100.0, 3.0, 0.2), vec3(1300.0, 150.0, 0.9), vec3(300.0, 1400.0, -0.5)])),
+        ("sliver", triangle([vec3(3.0, 3.0, 0.2), vec3(1020.0, 990.0, 0.3), vec3(1020.0, 993.0, 0.1)])),
     ]
 }
 
@@ -95,28 +62,12 @@ fn fill(c: &mut Criterion) {
 
 fn clip(c: &mut Criterion) {
     let camera = Camera::look_at(Vec3::ZERO, vec3(0.0, 0.0, -1.0), Vec3::Y).expect("a fixed camera");
-    let volume = ViewVolume {
-        left: -1.0,
-        right: 1.0,
-        bottom: -1.0,
-        top: 1.0,
-        near: -1.0,
-        far: -50.0,
-    };
-    let clip_from_world = Pipeline::new(camera, volume, SIDE, SIDE)
-        .expect("a valid volume")
-        .clip_from_world();
+    let volume = ViewVolume { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0, near: -1.0, far: -50.0 };
+    let clip_from_world =
+        Pipeline::new(camera, volume, SIDE, SIDE).expect("a valid volume").clip_from_world();
     let mut group = c.benchmark_group("project");
-    let inside = Triangle::new(
-        vec3(-1.0, -2.0, -5.0),
-        vec3(3.0, -1.0, -8.0),
-        vec3(0.5, 3.0, -6.0),
-    );
-    let through_the_eye = Triangle::new(
-        vec3(-1.0, -2.0, 5.0),
-        vec3(3.0, -1.0, -8.0),
-        vec3(0.5, 3.0, -60.0),
-    );
+    let inside = Triangle::new(vec3(-1.0, -2.0, -5.0), vec3(3.0, -1.0, -8.0), vec3(0.5, 3.0, -6.0));
+    let through_the_eye = Triangle::new(vec3(-1.0, -2.0, 5.0), vec3(3.0, -1.0, -8.0), vec3(0.5, 3.0, -60.0));
     for (name, triangle) in [("inside", inside), ("cut at near and far", through_the_eye)] {
         group.bench_function(name, |b| {
             b.iter(|| project(&clip_from_world, SIDE, SIDE, black_box(&triangle)));
@@ -128,11 +79,8 @@ fn clip(c: &mut Criterion) {
 fn z_buffer(c: &mut Criterion) {
     let (_, front) = shapes()[2];
     // Front to back colours each pixel once, back to front eight times: the two extremes.
-    let layers: Vec<_> = (0..8)
-        .map(|k| ScreenTriangle {
-            vertices: front.vertices.map(|v| moved_away(v, k)),
-        })
-        .collect();
+    let layers: Vec<_> =
+        (0..8).map(|k| ScreenTriangle { vertices: front.vertices.map(|v| moved_away(v, k)) }).collect();
     let mut group = c.benchmark_group("z-buffer, 8 large layers");
     for format in [DepthFormat::F32, DepthFormat::Bits24, DepthFormat::Bits16] {
         let mut image = Image::new(SIDE, SIDE, Rgb::ZERO);
@@ -162,10 +110,7 @@ fn z_buffer(c: &mut Criterion) {
 
 fn moved_away(vertex: ScreenVertex, layer: u16) -> ScreenVertex {
     let z = 0.5 * vertex.position.z - 0.05 * f32::from(layer);
-    ScreenVertex {
-        position: vertex.position.with_z(z),
-        ..vertex
-    }
+    ScreenVertex { position: vertex.position.with_z(z), ..vertex }
 }
 
 fn quick() -> Criterion {

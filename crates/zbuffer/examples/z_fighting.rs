@@ -28,9 +28,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             }
         }
     }
-    let path = std::env::args()
-        .nth(1)
-        .unwrap_or_else(|| "z_fighting.png".to_owned());
+    let path = std::env::args().nth(1).unwrap_or_else(|| "z_fighting.png".to_owned());
     std::fs::write(&path, codec::encode(&pictures, Format::Png8)?)?;
 
     println!("distance   16 bits      24 bits      32 bits");

@@ -52,9 +52,7 @@ const MOST_VERTICES: usize = 9;
 #[must_use]
 pub fn project(clip_from_world: &Mat4, width: u32, height: u32, triangle: &Triangle) -> ScreenPolygon {
     // From the world to clip space.
-    let corners = triangle
-        .corners()
-        .map(|p_world| *clip_from_world * p_world.extend(1.0));
+    let corners = triangle.corners().map(|p_world| *clip_from_world * p_world.extend(1.0));
     project_clip(corners, width, height)
 }
 
@@ -86,11 +84,8 @@ pub struct ScreenPolygon {
 
 impl ScreenPolygon {
     const EMPTY: Self = Self {
-        vertices: [ScreenVertex {
-            position: glam::Vec3::ZERO,
-            inv_w: 0.0,
-            weights: Barycentric::A,
-        }; MOST_VERTICES],
+        vertices: [ScreenVertex { position: glam::Vec3::ZERO, inv_w: 0.0, weights: Barycentric::A };
+            MOST_VERTICES],
         count: 0,
     };
 
@@ -103,9 +98,8 @@ impl ScreenPolygon {
     /// The polygon as triangles that fan out from its first vertex, all in its orientation.
     pub fn triangles(self) -> impl Iterator<Item = ScreenTriangle> {
         let [apex, ..] = self.vertices;
-        (2..self.count).map(move |k| ScreenTriangle {
-            vertices: [apex, self.vertices[k - 1], self.vertices[k]],
-        })
+        (2..self.count)
+            .map(move |k| ScreenTriangle { vertices: [apex, self.vertices[k - 1], self.vertices[k]] })
     }
 }
 
@@ -123,10 +117,7 @@ impl Viewport {
             "no screen can have {width} × {height} pixels"
         );
         let size = DVec2::new(width.into(), height.into());
-        Self {
-            half_size: 0.5 * size,
-            center: 0.5 * (size - 1.0),
-        }
+        Self { half_size: 0.5 * size, center: 0.5 * (size - 1.0) }
     }
 
     /// The planes of the clipped volume: inside is where plane · (x, y, z, w) ≥ 0.
@@ -144,10 +135,7 @@ impl Viewport {
     }
 
     fn screen_polygon(&self, polygon: &ClipPolygon) -> ScreenPolygon {
-        let mut screen = ScreenPolygon {
-            count: polygon.count,
-            ..ScreenPolygon::EMPTY
-        };
+        let mut screen = ScreenPolygon { count: polygon.count, ..ScreenPolygon::EMPTY };
         for (to, from) in screen.vertices.iter_mut().zip(polygon.vertices()) {
             let Some(vertex) = self.screen_vertex(from) else {
                 return ScreenPolygon::EMPTY;
@@ -166,16 +154,8 @@ impl Viewport {
         let pixel = pixel.clamp(DVec2::splat(-GUARD_BAND), DVec2::splat(GUARD_BAND));
         let position = pixel.extend(canonical.z.clamp(-1.0, 1.0)).as_vec3();
         let DVec3 { x, y, z } = vertex.weights;
-        let weights = Barycentric {
-            alpha: x as f32,
-            beta: y as f32,
-            gamma: z as f32,
-        };
-        let vertex = ScreenVertex {
-            position,
-            inv_w: inv_w as f32,
-            weights,
-        };
+        let weights = Barycentric { alpha: x as f32, beta: y as f32, gamma: z as f32 };
+        let vertex = ScreenVertex { position, inv_w: inv_w as f32, weights };
         (inv_w < 0.0 && vertex.inv_w.is_finite() && position.is_finite()).then_some(vertex)
     }
 }
@@ -196,20 +176,14 @@ struct ClipPolygon {
 
 impl ClipPolygon {
     const EMPTY: Self = Self {
-        vertices: [ClipVertex {
-            position: DVec4::ZERO,
-            weights: DVec3::ZERO,
-        }; MOST_VERTICES],
+        vertices: [ClipVertex { position: DVec4::ZERO, weights: DVec3::ZERO }; MOST_VERTICES],
         count: 0,
     };
 
     fn triangle(corners: [Vec4; 3]) -> Self {
         let mut polygon = Self::EMPTY;
         for (corner, weights) in corners.into_iter().zip(DVec3::AXES) {
-            polygon.push(ClipVertex {
-                position: corner.as_dvec4(),
-                weights,
-            });
+            polygon.push(ClipVertex { position: corner.as_dvec4(), weights });
         }
         polygon
     }
@@ -268,14 +242,8 @@ mod tests {
     use glam::{Vec3, vec3};
     use transforms::{Camera, Pipeline, ViewVolume, projection, viewport::screen_from_canonical};
 
-    const VOLUME: ViewVolume = ViewVolume {
-        left: -1.0,
-        right: 1.0,
-        bottom: -1.0,
-        top: 1.0,
-        near: -2.0,
-        far: -10.0,
-    };
+    const VOLUME: ViewVolume =
+        ViewVolume { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0, near: -2.0, far: -10.0 };
 
     fn clip_from_world() -> Mat4 {
         let camera = Camera::look_at(Vec3::ZERO, vec3(0.0, 0.0, -1.0), Vec3::Y).unwrap();
@@ -297,12 +265,7 @@ mod tests {
         let t = Triangle::new(vec3(0.0, 0.0, -6.0), vec3(3.0, 0.0, -6.0), vec3(0.0, 4.0, 2.0));
         let polygon = project(&clip_from_world(), 200, 100, &t);
         let weights: Vec<_> = polygon.vertices().iter().map(|v| v.weights.to_vec3()).collect();
-        let expected = [
-            vec3(1.0, 0.0, 0.0),
-            vec3(0.0, 1.0, 0.0),
-            vec3(0.0, 0.5, 0.5),
-            vec3(0.5, 0.0, 0.5),
-        ];
+        let expected = [vec3(1.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 0.5, 0.5), vec3(0.5, 0.0, 0.5)];
         // The order starts with the last corner's edge; as a cycle it is that of the triangle.
         let start = weights.iter().position(|w| *w == Vec3::X).unwrap();
         let cycle: Vec<_> = (0..4).map(|k| weights[(start + k) % 4]).collect();
@@ -321,10 +284,7 @@ mod tests {
         // Two units behind the eye, up to the left; it would show below to the right, in the middle of the depths.
         let behind = vec3(-0.3, 0.4, 2.0);
         let folded = clip_from_world().project_point3(behind);
-        assert!(
-            folded.x > 0.0 && folded.y < 0.0 && folded.truncate().abs().max_element() < 1.0,
-            "{folded}"
-        );
+        assert!(folded.x > 0.0 && folded.y < 0.0 && folded.truncate().abs().max_element() < 1.0, "{folded}");
         let t = Triangle::new(behind, behind + 0.1 * Vec3::X, behind + 0.1 * Vec3::Y);
         assert!(project(&clip_from_world(), 200, 100, &t).vertices().is_empty());
     }
@@ -340,16 +300,7 @@ mod tests {
 
     #[test]
     fn corners_that_are_not_finite_leave_nothing() {
-        let t = Triangle::new(
-            vec3(0.0, f32::NAN, -4.0),
-            vec3(1.0, 0.0, -4.0),
-            vec3(0.0, 1.0, -4.0),
-        );
-        assert!(
-            project(&clip_from_world(), 200, 100, &t)
-                .triangles()
-                .next()
-                .is_none()
-        );
+        let t = Triangle::new(vec3(0.0, f32::NAN, -4.0), vec3(1.0, 0.0, -4.0), vec3(0.0, 1.0, -4.0));
+        assert!(project(&clip_from_world(), 200, 100, &t).triangles().next().is_none());
     }
 }

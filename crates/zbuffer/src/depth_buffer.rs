@@ -37,12 +37,7 @@ impl DepthBuffer {
     /// ```
     #[must_use]
     pub fn new(width: u32, height: u32, format: DepthFormat) -> Self {
-        Self {
-            width,
-            height,
-            format,
-            codes: vec![0; width as usize * height as usize],
-        }
+        Self { width, height, format, codes: vec![0; width as usize * height as usize] }
     }
 
     /// Sets every pixel to the farthest depth.
@@ -74,11 +69,7 @@ impl DepthBuffer {
     /// If the pixel lies outside the buffer.
     #[must_use]
     pub fn get(&self, i: u32, j: u32) -> Option<f32> {
-        assert!(
-            i < self.width,
-            "pixel column i = {i} outside a buffer of width {}",
-            self.width
-        );
+        assert!(i < self.width, "pixel column i = {i} outside a buffer of width {}", self.width);
         let row = row_from_j(j, self.height) as usize;
         let code = self.codes[row * self.width as usize + i as usize];
         (code > 0).then(|| self.format.depth(code))
@@ -110,22 +101,12 @@ impl DepthBuffer {
     /// If `rows` is 0.
     pub fn bands_mut(&mut self, rows: u32) -> impl Iterator<Item = DepthBand<'_>> {
         assert!(rows > 0, "a band must have rows");
-        let Self {
-            width,
-            height,
-            format,
-            ..
-        } = *self;
+        let Self { width, height, format, .. } = *self;
         // Without columns there are no chunks, and so no bands.
         let chunk = (width as usize * rows as usize).max(1);
         self.codes.chunks_mut(chunk).zip(0_u32..).map(move |(codes, k)| {
             let end = height - k * rows;
-            DepthBand {
-                width,
-                rows: end.saturating_sub(rows)..end,
-                format,
-                codes,
-            }
+            DepthBand { width, rows: end.saturating_sub(rows)..end, format, codes }
         })
     }
 
@@ -142,12 +123,7 @@ impl DepthBuffer {
     }
 
     fn whole(&mut self) -> DepthBand<'_> {
-        DepthBand {
-            width: self.width,
-            rows: 0..self.height,
-            format: self.format,
-            codes: &mut self.codes,
-        }
+        DepthBand { width: self.width, rows: 0..self.height, format: self.format, codes: &mut self.codes }
     }
 }
 
@@ -189,11 +165,7 @@ impl DepthBand<'_> {
     #[must_use]
     #[inline]
     pub fn index(&self, i: u32, j: u32) -> usize {
-        assert!(
-            i < self.width && self.rows.contains(&j),
-            "pixel ({i}, {j}) outside rows {:?}",
-            self.rows
-        );
+        assert!(i < self.width && self.rows.contains(&j), "pixel ({i}, {j}) outside rows {:?}", self.rows);
         let row = row_from_j(j - self.rows.start, self.rows.end - self.rows.start) as usize;
         row * self.width as usize + i as usize
     }
@@ -205,10 +177,7 @@ mod tests {
 
     #[test]
     fn depths_come_back_as_the_format_has_them() {
-        for (format, stored) in [
-            (DepthFormat::F32, 0.3),
-            (DepthFormat::Bits16, 19_661.0 / 65_535.0),
-        ] {
+        for (format, stored) in [(DepthFormat::F32, 0.3), (DepthFormat::Bits16, 19_661.0 / 65_535.0)] {
             let mut depth = DepthBuffer::new(4, 3, format);
             assert!(depth.test_and_set(1, 2, 0.3));
             assert_eq!(depth.get(1, 2), Some(stored), "{format:?}");
@@ -221,26 +190,17 @@ mod tests {
             let mut depth = DepthBuffer::new(4, 3, format);
             assert!(!depth.test_and_set(3, 1, f32::NAN));
             assert!(depth.test_and_set(3, 1, -0.0));
-            assert!(
-                !depth.test_and_set(3, 1, 0.0),
-                "+0 is not nearer than −0 in {format:?}"
-            );
+            assert!(!depth.test_and_set(3, 1, 0.0), "+0 is not nearer than −0 in {format:?}");
             assert!(!depth.test_and_set(3, 1, f32::NAN));
         }
     }
 
     #[test]
     fn the_far_plane_itself_is_drawn_in_32_bits_only() {
-        for (format, drawn) in [
-            (DepthFormat::F32, true),
-            (DepthFormat::Bits24, false),
-            (DepthFormat::Bits16, false),
-        ] {
-            assert_eq!(
-                DepthBuffer::new(2, 2, format).test_and_set(1, 0, -1.0),
-                drawn,
-                "{format:?}"
-            );
+        for (format, drawn) in
+            [(DepthFormat::F32, true), (DepthFormat::Bits24, false), (DepthFormat::Bits16, false)]
+        {
+            assert_eq!(DepthBuffer::new(2, 2, format).test_and_set(1, 0, -1.0), drawn, "{format:?}");
         }
     }
 

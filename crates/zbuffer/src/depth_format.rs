@@ -118,14 +118,7 @@ mod tests {
 
     #[test]
     fn the_step_grows_with_the_square_of_the_distance() {
-        let volume = ViewVolume {
-            left: -1.0,
-            right: 1.0,
-            bottom: -1.0,
-            top: 1.0,
-            near: -1.0,
-            far: -1000.0,
-        };
+        let volume = ViewVolume { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0, near: -1.0, far: -1000.0 };
         let step = |format, distance| step_at(format, &volume, distance);
         // 2 / 65,535 over 2 · 1000 / (999 · 10²): 1.52 mm at 10 m, a hundred times that at 100 m.
         assert!((step(DepthFormat::Bits16, 10.0) - 0.001_524_4).abs() < 1e-7);

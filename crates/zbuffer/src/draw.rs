@@ -98,20 +98,14 @@ pub fn draw_fast(
 
 fn common_size(image: &Image, depth: &DepthBuffer) -> (u32, u32) {
     let (size, depth_size) = ((image.width(), image.height()), (depth.width(), depth.height()));
-    assert!(
-        size == depth_size,
-        "image {size:?} and depth buffer {depth_size:?} differ in size"
-    );
+    assert!(size == depth_size, "image {size:?} and depth buffer {depth_size:?} differ in size");
     size
 }
 
 impl std::ops::Add for Work {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self {
-            fragments: self.fragments + other.fragments,
-            colored: self.colored + other.colored,
-        }
+        Self { fragments: self.fragments + other.fragments, colored: self.colored + other.colored }
     }
 }
 
@@ -133,26 +127,19 @@ mod tests {
             inv_w: -1.0,
             weights: weights[k],
         };
-        ScreenTriangle {
-            vertices: [0, 1, 2].map(vertex),
-        }
+        ScreenTriangle { vertices: [0, 1, 2].map(vertex) }
     }
 
     /// The rectangle from the screen's lower left corner to (x, y).
     fn rectangle(z: f32, x: f32, y: f32) -> [ScreenTriangle; 2] {
         let o = -0.5;
-        [
-            triangle(z, [(o, o), (x, o), (x, y)]),
-            triangle(z, [(o, o), (x, y), (o, y)]),
-        ]
+        [triangle(z, [(o, o), (x, o), (x, y)]), triangle(z, [(o, o), (x, y), (o, y)])]
     }
 
     /// The stored depths as the slide prints them: rows from the top down, 0 where nothing was drawn.
     fn grid(depth: &DepthBuffer) -> String {
         let row = |j| {
-            let cells: Vec<_> = (0..WIDTH)
-                .map(|i| depth.get(i, j).unwrap_or(0.0).to_string())
-                .collect();
+            let cells: Vec<_> = (0..WIDTH).map(|i| depth.get(i, j).unwrap_or(0.0).to_string()).collect();
             cells.join(" ") + "\n"
         };
         (0..HEIGHT).rev().map(row).collect()
@@ -177,10 +164,7 @@ mod tests {
         assert_eq!(step(&rectangle(5.0, 5.5, 4.5)), third);
         let fourth =
             "5 5 15 15 5 5\n5 5 15 15 15 5\n10 15 15 15 15 15\n10 15 15 15 15 15\n15 15 15 15 15 15\n";
-        assert_eq!(
-            step(&[triangle(15.0, [(2.5, 5.0), (-0.25, -0.5), (8.0, -0.5)])]),
-            fourth
-        );
+        assert_eq!(step(&[triangle(15.0, [(2.5, 5.0), (-0.25, -0.5), (8.0, -0.5)])]), fourth);
         assert_eq!(image.get(0, 0), Rgb::splat(15.0));
         assert_eq!(image.get(0, 2), Rgb::splat(10.0));
     }
@@ -192,13 +176,7 @@ mod tests {
         depth.test_and_set(0, 0, 1.0); // left over from another picture
         let polygons = rectangle(-0.5, 3.5, 2.5).map(|triangle| (triangle, Rgb::X));
         let work = z_buffer(Rgb::Y, &polygons, &mut image, &mut depth);
-        assert_eq!(
-            work,
-            Work {
-                fragments: 12,
-                colored: 12
-            }
-        );
+        assert_eq!(work, Work { fragments: 12, colored: 12 });
         assert_eq!((image.get(0, 0), image.get(5, 4)), (Rgb::X, Rgb::Y));
     }
 

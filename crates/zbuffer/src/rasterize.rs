@@ -112,10 +112,7 @@ impl Setup {
         assert!(z.is_finite(), "a vertex has depth NaN or infinity: {triangle:?}");
         let inv_w = DVec3::new(a.inv_w.into(), b.inv_w.into(), c.inv_w.into());
         let one_sign = inv_w.min_element() > 0.0 || inv_w.max_element() < 0.0;
-        assert!(
-            one_sign && inv_w.is_finite(),
-            "1/w must be of one sign and finite: {triangle:?}"
-        );
+        assert!(one_sign && inv_w.is_finite(), "1/w must be of one sign and finite: {triangle:?}");
         Some(Self {
             edges: [Edge::new(p_b, p_c), Edge::new(p_c, p_a), Edge::new(p_a, p_b)],
             lowest: p_a.min(p_b).min(p_c),
@@ -182,17 +179,8 @@ impl Setup {
         let [a, b, c] = self.weights_over_w;
         let weights = (areas.x * a + areas.y * b + areas.z * c) / areas.dot(self.inv_w);
         let weights = weights.as_vec3();
-        let weights = Barycentric {
-            alpha: weights.x,
-            beta: weights.y,
-            gamma: weights.z,
-        };
-        Fragment {
-            i,
-            j,
-            z: z as f32,
-            weights,
-        }
+        let weights = Barycentric { alpha: weights.x, beta: weights.y, gamma: weights.z };
+        Fragment { i, j, z: z as f32, weights }
     }
 }
 
@@ -213,12 +201,7 @@ impl Edge {
         let is_left = along.y < 0;
         let is_top = along.y == 0 && along.x < 0;
         let threshold = if is_left || is_top { 0 } else { 1 };
-        Self {
-            from,
-            along,
-            threshold,
-            step: -along.y * SUBPIXELS,
-        }
+        Self { from, along, threshold, step: -along.y * SUBPIXELS }
     }
 
     /// The edge function: twice the area of the triangle from the edge to `p`, positive on the left.
@@ -232,10 +215,7 @@ impl Edge {
         if self.step > 0 {
             // value + k · step ≥ threshold from some k on.
             if missing > 0 {
-                steps.start = steps
-                    .start
-                    .max((missing + self.step - 1) / self.step)
-                    .min(steps.end);
+                steps.start = steps.start.max((missing + self.step - 1) / self.step).min(steps.end);
             }
         } else if missing > 0 {
             // Outside, and it does not get better to the right.
@@ -254,10 +234,7 @@ fn anticlockwise(triangle: &ScreenTriangle) -> Option<[ScreenVertex; 3]> {
     let in_range = |v: &ScreenVertex| {
         v.position.truncate().abs().max_element() <= GREATEST_PIXEL && !v.position.is_nan()
     };
-    assert!(
-        triangle.vertices.iter().all(in_range),
-        "a vertex lies too far outside: {triangle:?}"
-    );
+    assert!(triangle.vertices.iter().all(in_range), "a vertex lies too far outside: {triangle:?}");
     match triangle.doubled_area() {
         0 => None,
         area if area > 0 => Some([a, b, c]),
@@ -267,16 +244,10 @@ fn anticlockwise(triangle: &ScreenTriangle) -> Option<[ScreenVertex; 3]> {
 
 /// Those of `pixels` whose centres lie between two snapped coordinates, both included.
 fn pixels_between(lowest: i64, highest: i64, pixels: Range<u32>) -> Range<u32> {
-    let first = (lowest + SUBPIXELS - 1)
-        .div_euclid(SUBPIXELS)
-        .max(pixels.start.into());
+    let first = (lowest + SUBPIXELS - 1).div_euclid(SUBPIXELS).max(pixels.start.into());
     let end = (highest.div_euclid(SUBPIXELS) + 1).min(pixels.end.into());
     // Clamped to `pixels`, both fit in 32 bits.
-    if first < end {
-        first as u32..end as u32
-    } else {
-        pixels.start..pixels.start
-    }
+    if first < end { first as u32..end as u32 } else { pixels.start..pixels.start }
 }
 
 #[cfg(test)]
@@ -288,15 +259,9 @@ mod tests {
         let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
         let vertex = |k: usize| {
             let (x, y, z) = corners[k];
-            ScreenVertex {
-                position: vec3(x, y, z),
-                inv_w: -0.5,
-                weights: weights[k],
-            }
+            ScreenVertex { position: vec3(x, y, z), inv_w: -0.5, weights: weights[k] }
         };
-        ScreenTriangle {
-            vertices: [0, 1, 2].map(vertex),
-        }
+        ScreenTriangle { vertices: [0, 1, 2].map(vertex) }
     }
 
     fn pixels(triangle: &ScreenTriangle) -> Vec<(u32, u32)> {
@@ -319,24 +284,10 @@ mod tests {
     fn depth_and_weights_are_worked_out_by_hand() {
         let t = triangle([(1.0, 1.0, 0.0), (9.0, 1.0, 0.8), (1.0, 5.0, 0.4)]);
         let mut at_3_2 = None;
-        rasterize(&t, 16, 12, |f| {
-            at_3_2 = if (f.i, f.j) == (3, 2) { Some(f) } else { at_3_2 }
-        });
+        rasterize(&t, 16, 12, |f| at_3_2 = if (f.i, f.j) == (3, 2) { Some(f) } else { at_3_2 });
         // β = (3 − 1) / 8, γ = (2 − 1) / 4; z = ¼ · 0.8 + ¼ · 0.4.
-        let weights = Barycentric {
-            alpha: 0.5,
-            beta: 0.25,
-            gamma: 0.25,
-        };
-        assert_eq!(
-            at_3_2,
-            Some(Fragment {
-                i: 3,
-                j: 2,
-                z: 0.3,
-                weights
-            })
-        );
+        let weights = Barycentric { alpha: 0.5, beta: 0.25, gamma: 0.25 };
+        assert_eq!(at_3_2, Some(Fragment { i: 3, j: 2, z: 0.3, weights }));
     }
 
     #[test]
@@ -344,12 +295,9 @@ mod tests {
         assert!(pixels(&triangle([(1.0, 1.0, 0.0), (5.0, 3.0, 0.0), (9.0, 5.0, 0.0)])).is_empty());
         assert!(pixels(&triangle([(-9.0, 1.0, 0.0), (-1.0, 2.0, 0.0), (-3.0, 8.0, 0.0)])).is_empty());
         assert!(pixels(&triangle([(20.0, 1.0, 0.0), (40.0, 2.0, 0.0), (30.0, 8.0, 0.0)])).is_empty());
-        rasterize_rows(
-            &triangle([(0.0, 0.0, 0.0), (8.0, 0.0, 0.0), (0.0, 8.0, 0.0)]),
-            0,
-            0..12,
-            |_| panic!("no columns"),
-        );
+        rasterize_rows(&triangle([(0.0, 0.0, 0.0), (8.0, 0.0, 0.0), (0.0, 8.0, 0.0)]), 0, 0..12, |_| {
+            panic!("no columns")
+        });
     }
 
     #[test]
@@ -363,19 +311,12 @@ mod tests {
         let t = triangle([(-far, -far, 0.25), (far, -far + 4.0, 0.75), (-far, far, 0.5)]);
         rasterize(&t, 1, 1, |f| at_0_0 = Some(f));
         let f = at_0_0.expect("now it is inside");
-        assert!(
-            (f.z - 0.625).abs() < 1e-5 && (f.weights.beta - 0.5).abs() < 1e-5,
-            "{f:?}"
-        );
+        assert!((f.z - 0.625).abs() < 1e-5 && (f.weights.beta - 0.5).abs() < 1e-5, "{f:?}");
     }
 
     #[test]
     #[should_panic(expected = "depth NaN")]
     fn a_depth_that_is_not_a_number_is_the_callers_mistake() {
-        pixels(&triangle([
-            (1.0, 1.0, f32::INFINITY),
-            (9.0, 1.0, 0.8),
-            (1.0, 5.0, 0.4),
-        ]));
+        pixels(&triangle([(1.0, 1.0, f32::INFINITY), (9.0, 1.0, 0.8), (1.0, 5.0, 0.4)]));
     }
 }

@@ -79,10 +79,7 @@ impl Indices {
         };
         let steps = index.unsigned_abs();
         match index {
-            0 => Err(place.error(
-                format!("{name} 0"),
-                "indices count from 1, or from -1 for the latest",
-            )),
+            0 => Err(place.error(format!("{name} 0"), "indices count from 1, or from -1 for the latest")),
             1.. => {
                 if steps > count {
                     self.ahead.push((place.line, kind, steps));

@@ -34,12 +34,7 @@ impl ObjError {
         problem: impl Into<String>,
         remedy: impl Into<String>,
     ) -> Self {
-        Self {
-            file: file.to_owned(),
-            line,
-            problem: problem.into(),
-            remedy: remedy.into(),
-        }
+        Self { file: file.to_owned(), line, problem: problem.into(), remedy: remedy.into() }
     }
 }
 
@@ -60,11 +55,8 @@ fn place(file: &str, line: Option<usize>) -> String {
 /// Text from a file, fit for a message: quoted, without control characters and not endless.
 pub(super) fn quoted(text: &str) -> String {
     const LONGEST: usize = 40;
-    let mut shown: String = text
-        .chars()
-        .take(LONGEST)
-        .map(|c| if c.is_control() { '\u{fffd}' } else { c })
-        .collect();
+    let mut shown: String =
+        text.chars().take(LONGEST).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
     if text.chars().nth(LONGEST).is_some() {
         shown.push('…');
     }
@@ -91,18 +83,10 @@ impl Warnings {
             message = "further warnings are left out".to_owned();
             (String::from("…"), None)
         };
-        let place = *self
-            .places
-            .entry((file.clone(), message.clone()))
-            .or_insert_with(|| {
-                self.list.push(ObjWarning {
-                    file,
-                    line,
-                    message,
-                    count: 0,
-                });
-                self.list.len() - 1
-            });
+        let place = *self.places.entry((file.clone(), message.clone())).or_insert_with(|| {
+            self.list.push(ObjWarning { file, line, message, count: 0 });
+            self.list.len() - 1
+        });
         self.list[place].count += 1;
     }
 

@@ -73,25 +73,16 @@ pub fn parse(
     let polygons = polygon::triangulate(&model, &scan, &mut warnings)?;
     let library = Library::load(&scan, load_mtl, &mut warnings)?;
     let numbers = library.numbers_of(&scan, &mut warnings);
-    let materials = polygons
-        .faces
-        .iter()
-        .map(|face| scan.faces[*face].material.map_or(0, |used| numbers[used]));
+    let materials =
+        polygons.faces.iter().map(|face| scan.faces[*face].material.map_or(0, |used| numbers[used]));
     let mesh = mesh_of(&model, &scan, &polygons.corners, materials.collect())?;
-    Ok(Import {
-        mesh,
-        materials: library.materials,
-        warnings: warnings.into_vec(),
-    })
+    Ok(Import { mesh, materials: library.materials, warnings: warnings.into_vec() })
 }
 
 /// Lets tobj read the plain text. The scan has seen to it that there is one model and nothing to refuse.
 fn read(plain: &str, source: &str) -> Result<tobj::Mesh, ObjError> {
-    let options = tobj::LoadOptions {
-        ignore_points: true,
-        ignore_lines: true,
-        ..tobj::LoadOptions::default()
-    };
+    let options =
+        tobj::LoadOptions { ignore_points: true, ignore_lines: true, ..tobj::LoadOptions::default() };
     let no_materials = |_: &std::path::Path| Err(tobj::LoadError::GenericFailure);
     let refused = |reason: String| {
         ObjError::new(
@@ -103,10 +94,7 @@ fn read(plain: &str, source: &str) -> Result<tobj::Mesh, ObjError> {
     };
     let (models, _) = tobj::load_obj_buf(&mut plain.as_bytes(), &options, no_materials)
         .map_err(|reason| refused(reason.to_string()))?;
-    let model = models
-        .into_iter()
-        .next()
-        .ok_or_else(|| refused("no faces".to_owned()))?;
+    let model = models.into_iter().next().ok_or_else(|| refused("no faces".to_owned()))?;
     Ok(model.mesh)
 }
 
@@ -117,28 +105,20 @@ fn mesh_of(
     corners: &[[usize; 3]],
     materials: Vec<u32>,
 ) -> Result<Mesh, ObjError> {
-    let look_up = |indices: &[u32]| {
-        corners
-            .iter()
-            .map(|t| t.map(|corner| indices[corner]))
-            .collect::<Vec<_>>()
-    };
+    let look_up =
+        |indices: &[u32]| corners.iter().map(|t| t.map(|corner| indices[corner])).collect::<Vec<_>>();
     let in_threes = |numbers: &[f32]| numbers.chunks_exact(3).map(Vec3::from_slice).collect::<Vec<_>>();
     let in_twos = |numbers: &[f32]| numbers.chunks_exact(2).map(Vec2::from_slice).collect::<Vec<_>>();
 
     let mut mesh = Mesh::new(in_threes(&model.positions), look_up(&model.indices));
     if scan.has_normals {
-        let normals = Indexed {
-            values: in_threes(&model.normals),
-            triangles: look_up(&model.normal_indices),
-        };
+        let normals =
+            Indexed { values: in_threes(&model.normals), triangles: look_up(&model.normal_indices) };
         mesh = mesh.and_then(|mesh| mesh.with_normals(normals));
     }
     if scan.has_texture {
-        let texture = Indexed {
-            values: in_twos(&model.texcoords),
-            triangles: look_up(&model.texcoord_indices),
-        };
+        let texture =
+            Indexed { values: in_twos(&model.texcoords), triangles: look_up(&model.texcoord_indices) };
         mesh = mesh.and_then(|mesh| mesh.with_texture_coordinates(texture));
     }
     mesh.and_then(|mesh| mesh.with_materials(materials))

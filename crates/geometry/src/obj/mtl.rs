@@ -26,10 +26,7 @@ impl Library {
         load_mtl: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
         warnings: &mut Warnings,
     ) -> Result<Self, ObjError> {
-        let mut library = Self {
-            materials: vec![ObjMaterial::default()],
-            numbers: HashMap::new(),
-        };
+        let mut library = Self { materials: vec![ObjMaterial::default()], numbers: HashMap::new() };
         for reference in &scan.libraries {
             // One name with spaces in it, or several names: the text does not say. More than a few are no list.
             let whole = load_mtl(&reference.name);
@@ -71,8 +68,7 @@ impl Library {
 
     fn add(&mut self, materials: Vec<ObjMaterial>) {
         for material in materials {
-            self.numbers
-                .insert(material.name.clone(), self.materials.len() as u32);
+            self.numbers.insert(material.name.clone(), self.materials.len() as u32);
             self.materials.push(material);
         }
     }
@@ -107,12 +103,8 @@ fn parse(bytes: &[u8], file: &str, warnings: &mut Warnings) -> Result<Vec<ObjMat
 /// than three numbers.
 fn scan(bytes: &[u8], file: &str, warnings: &mut Warnings) -> Result<String, ObjError> {
     let text = text::decode(bytes, file)?;
-    let mut scanner = Scanner {
-        file,
-        warnings,
-        plain: String::with_capacity(text.len()),
-        in_material: false,
-    };
+    let mut scanner =
+        Scanner { file, warnings, plain: String::with_capacity(text.len()), in_material: false };
     for line in text::lines(text) {
         scanner.statement(&line)?;
     }
@@ -158,12 +150,7 @@ impl Scanner<'_> {
     }
 
     fn new_material(&mut self, line: &Line<'_>) -> Result<(), ObjError> {
-        let name = line
-            .text
-            .trim_start()
-            .strip_prefix("newmtl")
-            .unwrap_or_default()
-            .trim();
+        let name = line.text.trim_start().strip_prefix("newmtl").unwrap_or_default().trim();
         if name.is_empty() {
             return Err(self.error(line, "newmtl without a name", "write a name, as in: newmtl clay"));
         }
@@ -178,10 +165,8 @@ impl Scanner<'_> {
             self.warn(line, format!("{keyword} {form} is left out: only RGB is read"));
             return Ok(());
         }
-        let numbers = values
-            .iter()
-            .map(|word| number(word, self.file, line.number))
-            .collect::<Result<Vec<_>, _>>()?;
+        let numbers =
+            values.iter().map(|word| number(word, self.file, line.number)).collect::<Result<Vec<_>, _>>()?;
         let [r, g, b] = match numbers[..] {
             [grey] => [grey; 3],
             [r, g, b] => [r, g, b],
@@ -234,8 +219,6 @@ impl Scanner<'_> {
     }
 
     fn write(&mut self, words: std::fmt::Arguments<'_>) {
-        self.plain
-            .write_fmt(words)
-            .expect("a String takes all that is written");
+        self.plain.write_fmt(words).expect("a String takes all that is written");
     }
 }

@@ -26,10 +26,7 @@ pub(super) fn triangulate(
     scan: &Scan,
     warnings: &mut Warnings,
 ) -> Result<Polygons, ObjError> {
-    let mut polygons = Polygons {
-        corners: Vec::new(),
-        faces: Vec::new(),
-    };
+    let mut polygons = Polygons { corners: Vec::new(), faces: Vec::new() };
     let mut tests_left = MOST_TESTS;
     let mut start = 0;
     for (face, about) in scan.faces.iter().enumerate() {
@@ -49,9 +46,7 @@ pub(super) fn triangulate(
         if let Some(message) = shape.warning() {
             warnings.add(&scan.source, Some(about.line), message);
         }
-        polygons
-            .corners
-            .extend(triangles.iter().map(|t| t.map(|k| outline[k])));
+        polygons.corners.extend(triangles.iter().map(|t| t.map(|k| outline[k])));
         polygons.faces.resize(polygons.corners.len(), face);
         start += arity;
     }
@@ -66,22 +61,14 @@ fn outline(model: &tobj::Mesh, start: usize, arity: usize) -> Vec<usize> {
         return corners.collect();
     }
     let before = |corner: usize| {
-        if corner == start {
-            start + arity - 1
-        } else {
-            corner - 1
-        }
+        if corner == start { start + arity - 1 } else { corner - 1 }
     };
-    corners
-        .filter(|corner| model.indices[*corner] != model.indices[before(*corner)])
-        .collect()
+    corners.filter(|corner| model.indices[*corner] != model.indices[before(*corner)]).collect()
 }
 
 fn position(model: &tobj::Mesh, corner: usize) -> DVec3 {
     let first = 3 * model.indices[corner] as usize;
-    DVec3::from_array(std::array::from_fn(|axis| {
-        f64::from(model.positions[first + axis])
-    }))
+    DVec3::from_array(std::array::from_fn(|axis| f64::from(model.positions[first + axis])))
 }
 
 /// What the polygon turned out to be.
@@ -113,11 +100,7 @@ fn cut(points: &[DVec3], tests_left: &mut u64) -> Option<(Vec<[usize; 3]>, Shape
     };
     if turns_left_everywhere(&flat) {
         // A pentagram turns left everywhere too, but goes round twice.
-        let shape = if rounds(&flat) < 1.5 {
-            Shape::Simple
-        } else {
-            Shape::CrossesItself
-        };
+        let shape = if rounds(&flat) < 1.5 { Shape::Simple } else { Shape::CrossesItself };
         return Some((fan(), shape));
     }
     Ears::new(&flat).clip(tests_left)
@@ -128,17 +111,10 @@ fn on_its_plane(points: &[DVec3]) -> Option<Vec<DVec2>> {
     let from_first = || points.iter().map(|p| *p - points[0]);
     let size = from_first().map(|p| p.abs().max_element()).fold(0.0, f64::max);
     // Newell's normal: the sum over a fan, right for concave and for bent polygons too.
-    let normal: DVec3 = from_first()
-        .zip(from_first().skip(1))
-        .map(|(p, q)| (p / size).cross(q / size))
-        .sum();
+    let normal: DVec3 = from_first().zip(from_first().skip(1)).map(|(p, q)| (p / size).cross(q / size)).sum();
     let normal = (normal.length() > STRAIGHT).then(|| normal.normalize())?;
     let (right, up) = normal.any_orthonormal_pair();
-    Some(
-        from_first()
-            .map(|p| DVec2::new(p.dot(right), p.dot(up)) / size)
-            .collect(),
-    )
+    Some(from_first().map(|p| DVec2::new(p.dot(right), p.dot(up)) / size).collect())
 }
 
 /// The sine of the angle below which a corner is straight: coordinates are rounded to f32, so no smaller angle is meant.
@@ -148,11 +124,7 @@ const STRAIGHT: f64 = f32::EPSILON as f64;
 fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     let (before, after) = (b - a, c - b);
     let lengths = before.length() * after.length();
-    if lengths > 0.0 {
-        before.perp_dot(after) / lengths
-    } else {
-        0.0
-    }
+    if lengths > 0.0 { before.perp_dot(after) / lengths } else { 0.0 }
 }
 
 fn turns_left_everywhere(points: &[DVec2]) -> bool {
@@ -161,10 +133,7 @@ fn turns_left_everywhere(points: &[DVec2]) -> bool {
 
 /// How many rounds all turns make together: one, unless the outline crosses itself.
 fn rounds(points: &[DVec2]) -> f64 {
-    corners(points)
-        .map(|(a, b, c)| (b - a).angle_to(c - b))
-        .sum::<f64>()
-        / std::f64::consts::TAU
+    corners(points).map(|(a, b, c)| (b - a).angle_to(c - b)).sum::<f64>() / std::f64::consts::TAU
 }
 
 fn corners(points: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2, DVec2)> {
@@ -199,12 +168,7 @@ impl<'a> Ears<'a> {
         let after: Vec<_> = (0..n).map(|k| (k + 1) % n).collect();
         let turns_right = |k: &usize| turn(points[before[*k]], points[*k], points[after[*k]]) < -STRAIGHT;
         let reflex = (0..n).filter(turns_right).collect();
-        Self {
-            points,
-            before,
-            after,
-            reflex,
-        }
+        Self { points, before, after, reflex }
     }
 
     fn clip(mut self, tests_left: &mut u64) -> Option<(Vec<[usize; 3]>, Shape)> {
@@ -228,11 +192,8 @@ impl<'a> Ears<'a> {
             tried += 1;
             if tried == left {
                 tried = 0;
-                pickiness = if pickiness == Pickiness::Strict {
-                    Pickiness::Lenient
-                } else {
-                    Pickiness::Desperate
-                };
+                pickiness =
+                    if pickiness == Pickiness::Strict { Pickiness::Lenient } else { Pickiness::Desperate };
             }
         }
         triangles.push([self.before[corner], corner, self.after[corner]]);
@@ -269,11 +230,7 @@ impl<'a> Ears<'a> {
 fn is_in(p: DVec2, [a, b, c]: [DVec2; 3], pickiness: Pickiness) -> bool {
     let inside = |from: DVec2, to: DVec2| {
         let side = (to - from).perp_dot(p - from);
-        if pickiness == Pickiness::Strict {
-            side >= 0.0
-        } else {
-            side > 0.0
-        }
+        if pickiness == Pickiness::Strict { side >= 0.0 } else { side > 0.0 }
     };
     inside(a, b) && inside(b, c) && inside(c, a)
 }
@@ -291,20 +248,14 @@ mod tests {
     /// The signed area, seen from +z, of the triangles and of the least of them.
     fn areas(points: &[DVec3], triangles: &[[usize; 3]]) -> (f64, f64) {
         let area = |t: &[usize; 3]| 0.5 * (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).z;
-        (
-            triangles.iter().map(area).sum(),
-            triangles.iter().map(area).fold(f64::INFINITY, f64::min),
-        )
+        (triangles.iter().map(area).sum(), triangles.iter().map(area).fold(f64::INFINITY, f64::min))
     }
 
     #[test]
     fn convex_polygon_becomes_a_fan() {
         let house =
             [(0.0, 0.0), (3.0, 0.0), (3.0, 2.0), (1.0, 4.0), (0.0, 2.5)].map(|(x, y)| dvec3(x, y, 7.0));
-        assert_eq!(
-            cut_all(&house),
-            (vec![[0, 1, 2], [0, 2, 3], [0, 3, 4]], Shape::Simple)
-        );
+        assert_eq!(cut_all(&house), (vec![[0, 1, 2], [0, 2, 3], [0, 3, 4]], Shape::Simple));
     }
 
     #[test]
@@ -331,9 +282,7 @@ mod tests {
             .collect();
         let (triangles, shape) = cut_all(&comb);
         let (sum, least) = areas(&comb, &triangles);
-        let shoelace: f64 = (0..comb.len())
-            .map(|k| comb[k].cross(comb[(k + 1) % comb.len()]).z / 2.0)
-            .sum();
+        let shoelace: f64 = (0..comb.len()).map(|k| comb[k].cross(comb[(k + 1) % comb.len()]).z / 2.0).sum();
         assert_eq!((triangles.len(), shape), (comb.len() - 2, Shape::Simple));
         assert!((sum - shoelace).abs() < 1e-12 && least > 0.0);
     }
@@ -341,15 +290,8 @@ mod tests {
     #[test]
     fn corner_on_a_straight_edge_makes_no_flat_triangle() {
         // A rectangle with two more corners on its lower edge.
-        let points = [
-            (0.0, 0.0),
-            (1.0, 0.0),
-            (2.0, 0.0),
-            (4.0, 0.0),
-            (4.0, 3.0),
-            (0.0, 3.0),
-        ]
-        .map(|(x, y)| dvec3(x, y, 0.0));
+        let points = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]
+            .map(|(x, y)| dvec3(x, y, 0.0));
         let (triangles, shape) = cut_all(&points);
         let (sum, least) = areas(&points, &triangles);
         assert_eq!((triangles.len(), shape, sum), (4, Shape::Simple, 12.0));
@@ -395,9 +337,7 @@ mod tests {
 
     #[test]
     fn work_on_huge_concave_polygons_is_limited() {
-        let zigzag: Vec<_> = (0..3000)
-            .map(|k| dvec3(f64::from(k), f64::from(k % 2), 0.0))
-            .collect();
+        let zigzag: Vec<_> = (0..3000).map(|k| dvec3(f64::from(k), f64::from(k % 2), 0.0)).collect();
         let around = [dvec3(3000.0, -9.0, 0.0), dvec3(0.0, -9.0, 0.0)];
         let points: Vec<_> = zigzag.into_iter().rev().chain(around.into_iter().rev()).collect();
         assert!(cut(&points, &mut 1000).is_none());

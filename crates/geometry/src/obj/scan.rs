@@ -77,13 +77,7 @@ impl Scanner {
             has_normals: false,
             has_texture: false,
         };
-        Self {
-            scan,
-            line: 0,
-            indices: Indices::default(),
-            material: None,
-            places: HashMap::new(),
-        }
+        Self { scan, line: 0, indices: Indices::default(), material: None, places: HashMap::new() }
     }
 
     fn statement(&mut self, text: &str, warnings: &mut Warnings) -> Result<(), ObjError> {
@@ -115,9 +109,8 @@ impl Scanner {
 
     fn vertex<'a>(&mut self, words: impl Iterator<Item = &'a str>) -> Result<(), ObjError> {
         let numbers = self.numbers(words)?;
-        let (&[x, y, z], rest) = numbers
-            .split_first_chunk()
-            .ok_or_else(|| self.wrong_count("v", numbers.len()))?;
+        let (&[x, y, z], rest) =
+            numbers.split_first_chunk().ok_or_else(|| self.wrong_count("v", numbers.len()))?;
         let w = match rest {
             [w] => *w,
             // x y z and a colour, with or without its opacity.
@@ -127,10 +120,7 @@ impl Scanner {
         let p = [x / w, y / w, z / w];
         if !p.iter().all(|x| x.is_finite()) {
             let remedy = "write w = 1 or leave it out";
-            return Err(self.error(
-                format!("the vertex divided by its w = {w} is out of range"),
-                remedy,
-            ));
+            return Err(self.error(format!("the vertex divided by its w = {w} is out of range"), remedy));
         }
         self.indices.add(Kind::Vertex);
         self.write(format_args!("v {} {} {}\n", p[0], p[1], p[2]));
@@ -163,10 +153,7 @@ impl Scanner {
         self.scan.plain.push('f');
         let mut corners = 0;
         for word in words {
-            let place = Place {
-                file: &self.scan.source,
-                line: self.line,
-            };
+            let place = Place { file: &self.scan.source, line: self.line };
             let [v, vt, vn] = self.indices.corner(word, place)?;
             self.scan.has_texture |= vt.is_some();
             self.scan.has_normals |= vn.is_some();
@@ -176,30 +163,20 @@ impl Scanner {
         }
         self.scan.plain.push('\n');
         if corners < 3 {
-            return Err(self.error(
-                format!("a face with {corners} corners"),
-                "a face needs at least 3",
-            ));
+            return Err(self.error(format!("a face with {corners} corners"), "a face needs at least 3"));
         }
-        self.scan.faces.push(Face {
-            line: self.line,
-            material: self.material,
-        });
+        self.scan.faces.push(Face { line: self.line, material: self.material });
         Ok(())
     }
 
     fn use_material(&mut self, name: &str) -> Result<(), ObjError> {
         if name.is_empty() {
-            return Err(self.error(
-                "usemtl without a name",
-                "write the name of a material, as in: usemtl clay",
-            ));
+            return Err(
+                self.error("usemtl without a name", "write the name of a material, as in: usemtl clay")
+            );
         }
         let place = *self.places.entry(name.to_owned()).or_insert_with(|| {
-            self.scan.used.push(Reference {
-                name: name.to_owned(),
-                line: self.line,
-            });
+            self.scan.used.push(Reference { name: name.to_owned(), line: self.line });
             self.scan.used.len() - 1
         });
         self.material = Some(place);
@@ -210,19 +187,15 @@ impl Scanner {
         /// More material files than this are a mistake or an attack: each is a file to open.
         const MOST: usize = 64;
         if name.is_empty() {
-            return Err(self.error(
-                "mtllib without a file",
-                "write the name of a file, as in: mtllib pot.mtl",
-            ));
+            return Err(
+                self.error("mtllib without a file", "write the name of a file, as in: mtllib pot.mtl")
+            );
         }
         if self.scan.libraries.iter().all(|known| known.name != name) {
             if self.scan.libraries.len() == MOST {
                 return Err(self.error(format!("more than {MOST} material files"), "merge them into one"));
             }
-            self.scan.libraries.push(Reference {
-                name: name.to_owned(),
-                line: self.line,
-            });
+            self.scan.libraries.push(Reference { name: name.to_owned(), line: self.line });
         }
         Ok(())
     }
@@ -243,9 +216,7 @@ impl Scanner {
     }
 
     fn numbers<'a>(&self, words: impl Iterator<Item = &'a str>) -> Result<Vec<f32>, ObjError> {
-        words
-            .map(|word| number(word, &self.scan.source, self.line))
-            .collect()
+        words.map(|word| number(word, &self.scan.source, self.line)).collect()
     }
 
     fn wrong_count(&self, keyword: &str, count: usize) -> ObjError {
@@ -254,25 +225,15 @@ impl Scanner {
             "vt" => "1 to 3 (u v w)",
             _ => "3 (x y z)",
         };
-        self.error(
-            format!("'{keyword}' with {count} numbers"),
-            format!("write {expected}"),
-        )
+        self.error(format!("'{keyword}' with {count} numbers"), format!("write {expected}"))
     }
 
     fn error(&self, problem: impl Into<String>, remedy: impl Into<String>) -> ObjError {
-        Place {
-            file: &self.scan.source,
-            line: self.line,
-        }
-        .error(problem, remedy)
+        Place { file: &self.scan.source, line: self.line }.error(problem, remedy)
     }
 
     fn write(&mut self, words: std::fmt::Arguments<'_>) {
-        self.scan
-            .plain
-            .write_fmt(words)
-            .expect("a String takes all that is written");
+        self.scan.plain.write_fmt(words).expect("a String takes all that is written");
     }
 }
 

@@ -22,12 +22,7 @@ pub(super) fn decode<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str, ObjErro
         let line = 1 + good.iter().filter(|byte| **byte == b'\n').count();
         let byte = bytes[error.valid_up_to()];
         let problem = format!("byte {byte:#04x} is not UTF-8 text");
-        ObjError::new(
-            file,
-            Some(line),
-            problem,
-            "save the file as UTF-8 (a binary format is not read)",
-        )
+        ObjError::new(file, Some(line), problem, "save the file as UTF-8 (a binary format is not read)")
     })
 }
 
@@ -39,10 +34,7 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
     std::iter::from_fn(move || {
         let (first, number) = rest.next()?;
         let Some(start) = continued(first) else {
-            return Some(Line {
-                number,
-                text: Cow::Borrowed(first),
-            });
+            return Some(Line { number, text: Cow::Borrowed(first) });
         };
         let mut joined = start.to_owned();
         for (next, _) in rest.by_ref() {
@@ -53,10 +45,7 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
             };
             joined.push_str(start);
         }
-        Some(Line {
-            number,
-            text: Cow::Owned(joined),
-        })
+        Some(Line { number, text: Cow::Owned(joined) })
     })
 }
 
@@ -73,10 +62,7 @@ pub(super) fn number(word: &str, file: &str, line: usize) -> Result<f32, ObjErro
     match word.parse::<f32>() {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(value) if value.is_nan() => Err(error("is not a number", "write a finite number such as 0.25")),
-        Ok(_) => Err(error(
-            "is out of range",
-            "write a number between -3.4e38 and 3.4e38",
-        )),
+        Ok(_) => Err(error("is out of range", "write a number between -3.4e38 and 3.4e38")),
         Err(_) if word.contains(',') => Err(error(
             "is not a number",
             "write decimals with a point, as in 0.25, and spaces between numbers",
@@ -90,9 +76,7 @@ mod tests {
     use super::*;
 
     fn all(text: &str) -> Vec<(usize, String)> {
-        lines(text)
-            .map(|line| (line.number, line.text.trim().to_owned()))
-            .collect()
+        lines(text).map(|line| (line.number, line.text.trim().to_owned())).collect()
     }
 
     #[test]

@@ -64,9 +64,8 @@ impl BezierPatch {
 
     fn size_squared(&self) -> f64 {
         let points = || self.control.iter().flatten();
-        let (min, max) = points().fold((self.control[0][0], self.control[0][0]), |(lo, hi), p| {
-            (lo.min(*p), hi.max(*p))
-        });
+        let (min, max) =
+            points().fold((self.control[0][0], self.control[0][0]), |(lo, hi), p| (lo.min(*p), hi.max(*p)));
         (max - min).length_squared()
     }
 }
@@ -83,12 +82,7 @@ pub fn bernstein(t: f64) -> [f64; 4] {
 /// The cubic Bernstein polynomials with their first and second derivatives.
 fn derivatives(t: f64) -> [[f64; 4]; 3] {
     let s = 1.0 - t;
-    let first = [
-        -3.0 * s * s,
-        3.0 * s * (s - 2.0 * t),
-        3.0 * t * (2.0 * s - t),
-        3.0 * t * t,
-    ];
+    let first = [-3.0 * s * s, 3.0 * s * (s - 2.0 * t), 3.0 * t * (2.0 * s - t), 3.0 * t * t];
     let second = [6.0 * s, 6.0 * (t - 2.0 * s), 6.0 * (s - 2.0 * t), 6.0 * t];
     [bernstein(t), first, second]
 }
@@ -101,17 +95,9 @@ mod tests {
 
     /// A dome over the unit square whose whole border u = 0 is one point, with the axis −z.
     fn pole_patch() -> BezierPatch {
-        let row = |r: f64, z: f64| {
-            [
-                dvec3(r, 0.0, z),
-                dvec3(r, 0.5 * r, z),
-                dvec3(0.5 * r, r, z),
-                dvec3(0.0, r, z),
-            ]
-        };
-        BezierPatch {
-            control: [row(0.0, 2.0), row(0.7, 2.0), row(1.3, 1.5), row(1.5, 0.0)],
-        }
+        let row =
+            |r: f64, z: f64| [dvec3(r, 0.0, z), dvec3(r, 0.5 * r, z), dvec3(0.5 * r, r, z), dvec3(0.0, r, z)];
+        BezierPatch { control: [row(0.0, 2.0), row(0.7, 2.0), row(1.3, 1.5), row(1.5, 0.0)] }
     }
 
     #[test]
@@ -138,9 +124,7 @@ mod tests {
 
     #[test]
     fn patch_without_a_surface_has_no_normal() {
-        let point = BezierPatch {
-            control: [[dvec3(1.0, 2.0, 3.0); 4]; 4],
-        };
+        let point = BezierPatch { control: [[dvec3(1.0, 2.0, 3.0); 4]; 4] };
         assert_eq!(point.normal(0.5, 0.25), None);
     }
 

@@ -27,27 +27,16 @@ use crate::Mesh;
 /// ```
 pub fn cuboid(size: Vec3, level: u32) -> Result<Mesh, ShapeError> {
     let cuts = pieces("box", level)?;
-    for (what, length) in [
-        ("width (x)", size.x),
-        ("height (y)", size.y),
-        ("depth (z)", size.z),
-    ] {
+    for (what, length) in [("width (x)", size.x), ("height (y)", size.y), ("depth (z)", size.z)] {
         positive("box", what, length)?;
     }
     let mut cuboid = Surface::default();
     for row in 0..=cuts {
         for column in 0..=cuts {
-            cuboid.texture(
-                f64::from(column) / f64::from(cuts),
-                f64::from(row) / f64::from(cuts),
-            );
+            cuboid.texture(f64::from(column) / f64::from(cuts), f64::from(row) / f64::from(cuts));
         }
     }
-    let mut lattice = Lattice {
-        cuts,
-        size: size.as_dvec3(),
-        indices: HashMap::new(),
-    };
+    let mut lattice = Lattice { cuts, size: size.as_dvec3(), indices: HashMap::new() };
     for (normal, face) in FACES.iter().enumerate() {
         cuboid.normals.push(face.right.cross(face.up).as_vec3());
         let mut corner = |column: u32, row: u32| Corner {
@@ -79,30 +68,12 @@ struct Face {
 }
 
 const FACES: [Face; 6] = [
-    Face {
-        right: DVec3::NEG_Z,
-        up: DVec3::Y,
-    }, // towards +x
-    Face {
-        right: DVec3::Z,
-        up: DVec3::Y,
-    }, // towards −x
-    Face {
-        right: DVec3::X,
-        up: DVec3::NEG_Z,
-    }, // towards +y
-    Face {
-        right: DVec3::X,
-        up: DVec3::Z,
-    }, // towards −y
-    Face {
-        right: DVec3::X,
-        up: DVec3::Y,
-    }, // towards +z
-    Face {
-        right: DVec3::NEG_X,
-        up: DVec3::Y,
-    }, // towards −z
+    Face { right: DVec3::NEG_Z, up: DVec3::Y }, // towards +x
+    Face { right: DVec3::Z, up: DVec3::Y },     // towards −x
+    Face { right: DVec3::X, up: DVec3::NEG_Z }, // towards +y
+    Face { right: DVec3::X, up: DVec3::Z },     // towards −y
+    Face { right: DVec3::X, up: DVec3::Y },     // towards +z
+    Face { right: DVec3::NEG_X, up: DVec3::Y }, // towards −z
 ];
 
 /// The points on the surface of the box, known by their whole-number coordinates 0 ..= cuts, so that faces share them.

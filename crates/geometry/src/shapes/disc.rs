@@ -34,26 +34,13 @@ pub fn disc(radius: f32, level: u32) -> Result<Mesh, ShapeError> {
         }
     }
     let corner = |ring: u32, slice: u32| {
-        let position = if ring == 0 {
-            0
-        } else {
-            1 + (ring - 1) * slices + slice % slices
-        };
-        Corner {
-            position,
-            normal: 0,
-            texture: position,
-        }
+        let position = if ring == 0 { 0 } else { 1 + (ring - 1) * slices + slice % slices };
+        Corner { position, normal: 0, texture: position }
     };
     for ring in 0..rings {
         for slice in 0..slices {
             let (out, next) = (ring + 1, slice + 1);
-            plate.quad([
-                corner(ring, slice),
-                corner(out, slice),
-                corner(out, next),
-                corner(ring, next),
-            ]);
+            plate.quad([corner(ring, slice), corner(out, slice), corner(out, next), corner(ring, next)]);
         }
     }
     Ok(plate.into_mesh())

@@ -34,11 +34,8 @@ pub fn icosphere(level: u32) -> Result<Mesh, ShapeError> {
             sphere.texture(u, v);
         }
         let first = 3 * k as u32;
-        let corner = |i: usize| Corner {
-            position: triangle[i],
-            normal: triangle[i],
-            texture: first + i as u32,
-        };
+        let corner =
+            |i: usize| Corner { position: triangle[i], normal: triangle[i], texture: first + i as u32 };
         sphere.triangle([corner(0), corner(1), corner(2)]);
     }
     Ok(sphere.into_mesh())
@@ -91,10 +88,7 @@ fn cut_in_four(points: &mut Vec<DVec3>, triangles: &[[u32; 3]]) -> Vec<[u32; 3]>
 fn map_coordinates(corners: [DVec3; 3]) -> [(f64, f64); 3] {
     let is_pole = |p: DVec3| p.x == 0.0 && p.z == 0.0;
     let mut u = corners.map(|p| (p.x.atan2(p.z) / std::f64::consts::TAU).rem_euclid(1.0));
-    let greatest = (0..3)
-        .filter(|k| !is_pole(corners[*k]))
-        .map(|k| u[k])
-        .fold(0.0, f64::max);
+    let greatest = (0..3).filter(|k| !is_pole(corners[*k])).map(|k| u[k]).fold(0.0, f64::max);
     for value in &mut u {
         if greatest - *value > 0.5 {
             *value += 1.0;
@@ -103,12 +97,7 @@ fn map_coordinates(corners: [DVec3; 3]) -> [(f64, f64); 3] {
     if let Some(pole) = (0..3).find(|k| is_pole(corners[*k])) {
         u[pole] = 0.5 * (u[(pole + 1) % 3] + u[(pole + 2) % 3]);
     }
-    std::array::from_fn(|k| {
-        (
-            u[k],
-            1.0 - corners[k].y.clamp(-1.0, 1.0).acos() / std::f64::consts::PI,
-        )
-    })
+    std::array::from_fn(|k| (u[k], 1.0 - corners[k].y.clamp(-1.0, 1.0).acos() / std::f64::consts::PI))
 }
 
 #[cfg(test)]
@@ -121,10 +110,7 @@ mod tests {
     fn points_lie_on_the_unit_sphere() {
         for p in icosphere(4).unwrap().positions() {
             // Each coordinate is rounded by at most 2^-25; three of them move the length by at most √3 · 2^-25.
-            assert!(
-                (p.as_dvec3().length() - 1.0).abs() <= 3.0_f64.sqrt() * 2.0_f64.powi(-25),
-                "{p}"
-            );
+            assert!((p.as_dvec3().length() - 1.0).abs() <= 3.0_f64.sqrt() * 2.0_f64.powi(-25), "{p}");
         }
     }
 

@@ -77,12 +77,7 @@ fn positive(shape: &'static str, what: &'static str, value: f32) -> Result<f32, 
     if 0.0 < value && value <= 0.5 * f32::MAX {
         Ok(value)
     } else {
-        Err(ShapeError::BadSize {
-            shape,
-            what,
-            must_be: "finite and greater than 0",
-            value,
-        })
+        Err(ShapeError::BadSize { shape, what, must_be: "finite and greater than 0", value })
     }
 }
 
@@ -95,17 +90,8 @@ mod tests {
     #[test]
     fn level_beyond_the_greatest_is_an_error_that_names_it() {
         let error = icosphere(20).unwrap_err();
-        assert_eq!(
-            error,
-            ShapeError::LevelTooGreat {
-                shape: "icosphere",
-                level: 20
-            }
-        );
-        assert_eq!(
-            error.to_string(),
-            "icosphere: level 20 is too fine; the greatest is 7"
-        );
+        assert_eq!(error, ShapeError::LevelTooGreat { shape: "icosphere", level: 20 });
+        assert_eq!(error.to_string(), "icosphere: level 20 is too fine; the greatest is 7");
         assert!(uv_sphere(8).is_err() && torus(2.0, 0.5, 8).is_err() && disc(1.5, 8).is_err());
         assert!(cuboid(vec3(1.0, 2.0, 3.0), 8).is_err() && teapot(u32::MAX).is_err());
     }
@@ -128,15 +114,9 @@ mod tests {
         for bad in [0.0, -1.0, f32::NAN, f32::INFINITY, f32::MAX] {
             assert!(disc(bad, 1).is_err(), "{bad}");
             assert!(cuboid(vec3(1.0, bad, 3.0), 1).is_err(), "{bad}");
-            assert!(
-                torus(bad, 0.5, 1).is_err() && torus(2.0, bad, 1).is_err(),
-                "{bad}"
-            );
+            assert!(torus(bad, 0.5, 1).is_err() && torus(2.0, bad, 1).is_err(), "{bad}");
         }
         let error = torus(0.5, 2.0, 1).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "torus: minor must be less than major, but is 2"
-        );
+        assert_eq!(error.to_string(), "torus: minor must be less than major, but is 2");
     }
 }

@@ -49,20 +49,10 @@ impl Surface {
 
     /// The finished mesh.
     pub(super) fn into_mesh(self) -> Mesh {
-        let pick = |f: fn(&Corner) -> u32| {
-            self.triangles
-                .iter()
-                .map(|t| [f(&t[0]), f(&t[1]), f(&t[2])])
-                .collect()
-        };
-        let normals = Indexed {
-            values: self.normals,
-            triangles: pick(|c| c.normal),
-        };
-        let texture = Indexed {
-            values: self.texture_coordinates,
-            triangles: pick(|c| c.texture),
-        };
+        let pick =
+            |f: fn(&Corner) -> u32| self.triangles.iter().map(|t| [f(&t[0]), f(&t[1]), f(&t[2])]).collect();
+        let normals = Indexed { values: self.normals, triangles: pick(|c| c.normal) };
+        let texture = Indexed { values: self.texture_coordinates, triangles: pick(|c| c.texture) };
         Mesh::new(self.positions, pick(|c| c.position))
             .and_then(|mesh| mesh.with_normals(normals))
             .and_then(|mesh| mesh.with_texture_coordinates(texture))

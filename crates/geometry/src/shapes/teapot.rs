@@ -34,10 +34,7 @@ pub fn teapot(level: u32) -> Result<Mesh, ShapeError> {
     let mut pot = Surface::default();
     for row in 0..=cuts {
         for column in 0..=cuts {
-            pot.texture(
-                f64::from(column) / f64::from(cuts),
-                f64::from(row) / f64::from(cuts),
-            );
+            pot.texture(f64::from(column) / f64::from(cuts), f64::from(row) / f64::from(cuts));
         }
     }
     for part in PARTS {
@@ -57,9 +54,7 @@ fn patch(number: usize) -> BezierPatch {
     // A quarter turn about x takes z up to y up. It is a rotation, no mirror: left and right stay what they are.
     let y_up = |[x, y, z]: [f64; 3]| DVec3::new(x, z, -y);
     let point = |i: usize, j: usize| y_up(POINTS[usize::from(PATCHES[number][4 * i + j])]);
-    BezierPatch {
-        control: std::array::from_fn(|i| std::array::from_fn(|j| point(i, j))),
-    }
+    BezierPatch { control: std::array::from_fn(|i| std::array::from_fn(|j| point(i, j))) }
 }
 
 /// The points that a part already has, by the bits of their coordinates. Patches that share control points on a border
@@ -72,11 +67,7 @@ fn add_patch(pot: &mut Surface, welded: &mut Welded, patch: &BezierPatch, cuts: 
     for row in 0..=cuts {
         for column in 0..=cuts {
             let index = add_point(pot, welded, patch, at(row), at(column));
-            grid.push(Corner {
-                position: index,
-                normal: index,
-                texture: row * (cuts + 1) + column,
-            });
+            grid.push(Corner { position: index, normal: index, texture: row * (cuts + 1) + column });
         }
     }
     let corner = |row: u32, column: u32| grid[(row * (cuts + 1) + column) as usize];
@@ -84,12 +75,7 @@ fn add_patch(pot: &mut Surface, welded: &mut Welded, patch: &BezierPatch, cuts: 
         for column in 0..cuts {
             let (below, right) = (row + 1, column + 1);
             // Newell's patches turn ∂S/∂u × ∂S/∂v inwards, so fronts run along v first.
-            pot.quad([
-                corner(row, column),
-                corner(row, right),
-                corner(below, right),
-                corner(below, column),
-            ]);
+            pot.quad([corner(row, column), corner(row, right), corner(below, right), corner(below, column)]);
         }
     }
 }
@@ -99,9 +85,7 @@ fn add_point(pot: &mut Surface, welded: &mut Welded, patch: &BezierPatch, u: f64
     // Adding zero turns −0 into 0: two names of one number.
     let bits = p.as_vec3().to_array().map(|x| (x + 0.0).to_bits());
     *welded.entry(bits).or_insert_with(|| {
-        let inward = patch
-            .normal(u, v)
-            .expect("no patch of the teapot lacks a surface");
+        let inward = patch.normal(u, v).expect("no patch of the teapot lacks a surface");
         pot.point(p, -inward);
         pot.positions.len() as u32 - 1
     })
@@ -143,17 +127,10 @@ mod tests {
                 for (i, j) in (0..=4).flat_map(|i| (0..=4).map(move |j| (i, j))) {
                     let (u, v) = (f64::from(i) / 4.0, f64::from(j) / 4.0);
                     let n = patch.normal(u, v).unwrap();
-                    let bits = patch
-                        .point(u, v)
-                        .as_vec3()
-                        .to_array()
-                        .map(|x| (x + 0.0).to_bits());
+                    let bits = patch.point(u, v).as_vec3().to_array().map(|x| (x + 0.0).to_bits());
                     let first = *seen.entry(bits).or_insert(n);
                     // The control points are decimals of two to five digits, rounded to f64: 1e-9 is generous.
-                    assert!(
-                        (first - n).length() < 1e-9,
-                        "{patch:?} at {u}, {v}: {first} and {n}"
-                    );
+                    assert!((first - n).length() < 1e-9, "{patch:?} at {u}, {v}: {first} and {n}");
                 }
             }
         }
@@ -174,28 +151,16 @@ mod tests {
             let patches: Vec<_> = PARTS[part].clone().map(patch).collect();
             let points: Vec<_> = (0..=16 * 17)
                 .flat_map(|k| {
-                    patches
-                        .iter()
-                        .map(move |p| p.point(f64::from(k / 17) / 16.0, f64::from(k % 17) / 16.0))
+                    patches.iter().map(move |p| p.point(f64::from(k / 17) / 16.0, f64::from(k % 17) / 16.0))
                 })
                 .collect();
             for direction in directions {
-                let extreme = points
-                    .iter()
-                    .max_by(|p, q| p.dot(*direction).total_cmp(&q.dot(*direction)))
-                    .unwrap();
-                let index = pot
-                    .positions()
-                    .iter()
-                    .position(|p| *p == extreme.as_vec3())
-                    .unwrap();
+                let extreme =
+                    points.iter().max_by(|p, q| p.dot(*direction).total_cmp(&q.dot(*direction))).unwrap();
+                let index = pot.positions().iter().position(|p| *p == extreme.as_vec3()).unwrap();
                 // At an extreme the surface is level; the sample next to it is less than 25° away.
                 let cosine = normals[index].as_dvec3().dot(*direction);
-                assert!(
-                    cosine > 0.9,
-                    "part {part} towards {direction}: normal {}",
-                    normals[index]
-                );
+                assert!(cosine > 0.9, "part {part} towards {direction}: normal {}", normals[index]);
             }
         }
     }
@@ -203,10 +168,7 @@ mod tests {
     #[test]
     fn every_index_of_the_table_is_used_and_in_range() {
         let mut used = [false; 290];
-        PATCHES
-            .iter()
-            .flatten()
-            .for_each(|k| used[usize::from(*k)] = true);
+        PATCHES.iter().flatten().for_each(|k| used[usize::from(*k)] = true);
         assert!(used.iter().all(|u| *u));
     }
 }

@@ -35,29 +35,17 @@ pub fn torus(major: f32, minor: f32, level: u32) -> Result<Mesh, ShapeError> {
     }
     for row in 0..=around {
         for column in 0..=along {
-            ring.texture(
-                f64::from(column) / f64::from(along),
-                f64::from(row) / f64::from(around),
-            );
+            ring.texture(f64::from(column) / f64::from(along), f64::from(row) / f64::from(around));
         }
     }
     let corner = |row: u32, column: u32| {
         let position = row % around * along + column % along;
-        Corner {
-            position,
-            normal: position,
-            texture: row * (along + 1) + column,
-        }
+        Corner { position, normal: position, texture: row * (along + 1) + column }
     };
     for row in 0..around {
         for column in 0..along {
             let (above, right) = (row + 1, column + 1);
-            ring.quad([
-                corner(row, column),
-                corner(row, right),
-                corner(above, right),
-                corner(above, column),
-            ]);
+            ring.quad([corner(row, column), corner(row, right), corner(above, right), corner(above, column)]);
         }
     }
     Ok(ring.into_mesh())
@@ -69,12 +57,7 @@ fn radii(major: f32, minor: f32) -> Result<(f64, f64), ShapeError> {
     let minor = positive("torus", "minor", minor)?;
     if minor >= major {
         let (what, must_be) = ("minor", "less than major");
-        return Err(ShapeError::BadSize {
-            shape: "torus",
-            what,
-            must_be,
-            value: minor,
-        });
+        return Err(ShapeError::BadSize { shape: "torus", what, must_be, value: minor });
     }
     Ok((f64::from(major), f64::from(minor)))
 }

@@ -31,11 +31,7 @@ pub fn uv_sphere(level: u32) -> Result<Mesh, ShapeError> {
             _ if row == zones => 1 + (zones - 1) * slices,
             _ => 1 + (row - 1) * slices + column % slices,
         };
-        Corner {
-            position,
-            normal: position,
-            texture: row * (slices + 1) + column,
-        }
+        Corner { position, normal: position, texture: row * (slices + 1) + column }
     };
     for row in 0..zones {
         for column in 0..slices {
@@ -95,10 +91,7 @@ mod tests {
             let [a, b, c] = sphere.corner_texture_coordinates(k).unwrap();
             // The same turning sense on the map as on the sphere: not mirrored. And no triangle spans the seam.
             assert!((b - a).perp_dot(c - a) > 0.0, "triangle {k}");
-            assert!(
-                (a - b).abs().max((b - c).abs()).cmple(vec2(0.25, 0.25)).all(),
-                "triangle {k}"
-            );
+            assert!((a - b).abs().max((b - c).abs()).cmple(vec2(0.25, 0.25)).all(), "triangle {k}");
         }
     }
 }

@@ -55,55 +55,38 @@ fn only_sound_vertices_leave() {
 #[test]
 fn a_triangle_inside_the_volume_goes_where_the_pipeline_says() {
     let camera = strategy::camera();
-    Law::new("without clipping, vertices are those of the pipeline")
-        .demand("uncut", 0.2)
-        .holds_for(
-            (
-                camera,
-                strategy::view_volume(),
-                strategy::triangle(1.0),
-                0.2_f32..0.8,
-            ),
-            |(camera, volume, shape, depth), seen| {
-                // The shape is put somewhere between the planes.
-                let middle = vec3(0.3, 0.2, volume.near + depth * (volume.far - volume.near));
-                let corners = shape
-                    .corners()
-                    .map(|p| camera.world_from_camera().transform_point3(0.3 * p + middle));
-                let triangle = Triangle::new(corners[0], corners[1], corners[2]);
-                let view = Pipeline::new(camera, volume, WIDTH, HEIGHT).expect("a valid volume");
-                let polygon = project(&view.clip_from_world(), WIDTH, HEIGHT, &triangle);
-                let inside = corners
-                    .map(|p| view.trace(p))
-                    .iter()
-                    .all(|t| t.canonical.is_some_and(|p| p.z.abs() < 0.99) && t.clip.w < 0.0);
-                seen.class("uncut", inside);
-                if !inside {
-                    return Ok(());
-                }
-                for (vertex, p_world) in polygon.vertices().iter().zip(corners) {
-                    let traced = view.trace(p_world);
-                    // The product of the two matrices rounds otherwise than one after the other: some twenty roundings of
-                    // numbers as large as the world's coordinates (20) times the matrix, against w.
-                    let size = 20.0
-                        * view
-                            .clip_from_world()
-                            .to_cols_array()
-                            .iter()
-                            .fold(0.0, |m: f32, x| m.max(x.abs()));
-                    let bound = 20.0 * f32::EPSILON * size / traced.clip.w.abs()
-                        * WIDTH as f32
-                        * (1.0 + traced.canonical.unwrap_or_default().length());
-                    ensure_close(
-                        "position",
-                        vertex.position,
-                        traced.screen.expect("w is not 0"),
-                        bound,
-                    )?;
-                }
-                Ok(())
-            },
-        );
+    Law::new("without clipping, vertices are those of the pipeline").demand("uncut", 0.2).holds_for(
+        (camera, strategy::view_volume(), strategy::triangle(1.0), 0.2_f32..0.8),
+        |(camera, volume, shape, depth), seen| {
+            // The shape is put somewhere between the planes.
+            let middle = vec3(0.3, 0.2, volume.near + depth * (volume.far - volume.near));
+            let corners =
+                shape.corners().map(|p| camera.world_from_camera().transform_point3(0.3 * p + middle));
+            let triangle = Triangle::new(corners[0], corners[1], corners[2]);
+            let view = Pipeline::new(camera, volume, WIDTH, HEIGHT).expect("a valid volume");
+            let polygon = project(&view.clip_from_world(), WIDTH, HEIGHT, &triangle);
+            let inside = corners
+                .map(|p| view.trace(p))
+                .iter()
+                .all(|t| t.canonical.is_some_and(|p| p.z.abs() < 0.99) && t.clip.w < 0.0);
+            seen.class("uncut", inside);
+            if !inside {
+                return Ok(());
+            }
+            for (vertex, p_world) in polygon.vertices().iter().zip(corners) {
+                let traced = view.trace(p_world);
+                // The product of the two matrices rounds otherwise than one after the other: some twenty roundings of
+                // numbers as large as the world's coordinates (20) times the matrix, against w.
+                let size = 20.0
+                    * view.clip_from_world().to_cols_array().iter().fold(0.0, |m: f32, x| m.max(x.abs()));
+                let bound = 20.0 * f32::EPSILON * size / traced.clip.w.abs()
+                    * WIDTH as f32
+                    * (1.0 + traced.canonical.unwrap_or_default().length());
+                ensure_close("position", vertex.position, traced.screen.expect("w is not 0"), bound)?;
+            }
+            Ok(())
+        },
+    );
 }
 
 #[test]
@@ -112,14 +95,9 @@ fn a_shared_edge_is_cut_at_the_same_points_from_both_sides() {
         let extent = prop_oneof![Just(1.0_f32), Just(1e3), Just(1e7)];
         // Anywhere, before the near plane (z < w), or beyond the far one (z > −w).
         let side = prop_oneof![Just(None), Just(Some(1.0_f32)), Just(Some(-1.0))];
-        (
-            (-3.0_f32..3.0, -3.0_f32..3.0, 0.0_f32..2.0, -2.0_f32..0.5),
-            extent,
-            side,
+        ((-3.0_f32..3.0, -3.0_f32..3.0, 0.0_f32..2.0, -2.0_f32..0.5), extent, side).prop_map(
+            |((x, y, z, w), far, side)| Vec4::new(far * x, y, side.map_or(z - 1.0, |side| side * (w - z)), w),
         )
-            .prop_map(|((x, y, z, w), far, side)| {
-                Vec4::new(far * x, y, side.map_or(z - 1.0, |side| side * (w - z)), w)
-            })
     };
     Law::new(
         "two triangles get bitwise the same vertices on their common edge, whichever way they run along it",
@@ -185,26 +163,14 @@ fn ground() -> impl Strategy<Value = Ground> {
     (strategy::unit_vector(), 0.5_f32..30.0, -0.7_f32..0.7, half).prop_map(|(normal, depth, slope, half)| {
         let (right, up) = normal.any_orthonormal_pair();
         let origin = vec3(slope * depth, -0.3 * depth, -depth).as_dvec3();
-        Ground {
-            origin,
-            right: right.as_dvec3(),
-            up: up.as_dvec3(),
-            half,
-        }
+        Ground { origin, right: right.as_dvec3(), up: up.as_dvec3(), half }
     })
 }
 
 #[test]
 fn no_crack_and_no_overlap_in_a_clipped_triangulation() {
     const GRID: i64 = 1 << 12;
-    let volume = ViewVolume {
-        left: -1.1,
-        right: 0.9,
-        bottom: -0.7,
-        top: 0.8,
-        near: -0.5,
-        far: -60.0,
-    };
+    let volume = ViewVolume { left: -1.1, right: 0.9, bottom: -0.7, top: 0.8, near: -0.5, far: -60.0 };
     let camera = Camera::look_at(Vec3::ZERO, vec3(0.0, 0.0, -1.0), Vec3::Y).expect("a fixed camera");
     let view = Pipeline::new(camera, volume, WIDTH, HEIGHT).expect("a valid volume");
     let point = (-GRID..=GRID, -GRID..=GRID).prop_map(|(x, y)| I64Vec2::new(x, y));
@@ -216,55 +182,52 @@ fn no_crack_and_no_overlap_in_a_clipped_triangulation() {
     .demand("an uncut vertex would lie beyond the guard band", 0.1)
     .demand("samples well inside", 0.4)
     .demand("no sliver turned over", 0.7)
-    .holds_for(
-        (ground(), proptest::collection::vec(point, 1..16)),
-        |(ground, points), seen| {
-            let corners: Vec<[Vec3; 3]> = triangulation(I64Vec2::splat(-GRID), I64Vec2::splat(GRID), &points)
-                .into_iter()
-                .map(|t| t.map(|p| ground.point(p.as_dvec2() / GRID as f64)))
-                .collect();
-            let polygons = || {
-                corners.iter().map(|[a, b, c]| {
-                    project(&view.clip_from_world(), WIDTH, HEIGHT, &Triangle::new(*a, *b, *c))
-                })
-            };
-            // Snapping may turn a sliver thinner than 1/256 pixel over, so that it lies on its neighbours. Counted with
-            // the sign of its orientation, each sample is covered once all the same: there is never a hole.
-            let eye_side = -ground.right.cross(ground.up).dot(ground.origin);
-            let upright = |t: &ScreenTriangle| (t.doubled_area() > 0) == (eye_side > 0.0);
-            let (turned, upright): (Vec<_>, Vec<_>) = polygons()
-                .flat_map(|polygon| polygon.triangles())
-                .filter(|t| t.doubled_area() != 0)
-                .partition(|t| !upright(t));
-            seen.class("no sliver turned over", turned.is_empty());
-            let (turned, upright) = (coverage(turned), coverage(upright));
-            let crosses =
-                |t: &[Vec3; 3]| t.iter().any(|p| p.z > volume.near) && t.iter().any(|p| p.z < volume.near);
-            seen.class("a triangle crosses the near plane", corners.iter().any(crosses));
-            let at_guard =
-                |v: &ScreenVertex| f64::from(v.position.truncate().abs().max_element()) > 0.99 * GUARD_BAND;
-            seen.class(
-                "an uncut vertex would lie beyond the guard band",
-                polygons().any(|p| p.vertices().iter().any(at_guard)),
-            );
-            let mut well_inside = 0;
-            for j in 0..HEIGHT {
-                for i in 0..WIDTH {
-                    // If the square covers all of a pixel and more, it covers its centre: it is convex on the screen.
-                    let around = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
-                    let inside = around.iter().all(|(dx, dy)| {
-                        let hit = ground.seen_through(&volume, i as f32 + dx, j as f32 + dy);
-                        hit.is_some_and(|p| p.abs().max_element() < 0.999)
-                    });
-                    well_inside += u32::from(inside);
-                    let k = (j * WIDTH + i) as usize;
-                    let count = i64::from(upright[k]) - i64::from(turned[k]);
-                    ensure(count.abs() <= 1, || format!("({i}, {j}) is drawn {count} times"))?;
-                    ensure(count == 1 || !inside, || format!("a hole at ({i}, {j})"))?;
-                }
+    .holds_for((ground(), proptest::collection::vec(point, 1..16)), |(ground, points), seen| {
+        let corners: Vec<[Vec3; 3]> = triangulation(I64Vec2::splat(-GRID), I64Vec2::splat(GRID), &points)
+            .into_iter()
+            .map(|t| t.map(|p| ground.point(p.as_dvec2() / GRID as f64)))
+            .collect();
+        let polygons = || {
+            corners
+                .iter()
+                .map(|[a, b, c]| project(&view.clip_from_world(), WIDTH, HEIGHT, &Triangle::new(*a, *b, *c)))
+        };
+        // Snapping may turn a sliver thinner than 1/256 pixel over, so that it lies on its neighbours. Counted with
+        // the sign of its orientation, each sample is covered once all the same: there is never a hole.
+        let eye_side = -ground.right.cross(ground.up).dot(ground.origin);
+        let upright = |t: &ScreenTriangle| (t.doubled_area() > 0) == (eye_side > 0.0);
+        let (turned, upright): (Vec<_>, Vec<_>) = polygons()
+            .flat_map(|polygon| polygon.triangles())
+            .filter(|t| t.doubled_area() != 0)
+            .partition(|t| !upright(t));
+        seen.class("no sliver turned over", turned.is_empty());
+        let (turned, upright) = (coverage(turned), coverage(upright));
+        let crosses =
+            |t: &[Vec3; 3]| t.iter().any(|p| p.z > volume.near) && t.iter().any(|p| p.z < volume.near);
+        seen.class("a triangle crosses the near plane", corners.iter().any(crosses));
+        let at_guard =
+            |v: &ScreenVertex| f64::from(v.position.truncate().abs().max_element()) > 0.99 * GUARD_BAND;
+        seen.class(
+            "an uncut vertex would lie beyond the guard band",
+            polygons().any(|p| p.vertices().iter().any(at_guard)),
+        );
+        let mut well_inside = 0;
+        for j in 0..HEIGHT {
+            for i in 0..WIDTH {
+                // If the square covers all of a pixel and more, it covers its centre: it is convex on the screen.
+                let around = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+                let inside = around.iter().all(|(dx, dy)| {
+                    let hit = ground.seen_through(&volume, i as f32 + dx, j as f32 + dy);
+                    hit.is_some_and(|p| p.abs().max_element() < 0.999)
+                });
+                well_inside += u32::from(inside);
+                let k = (j * WIDTH + i) as usize;
+                let count = i64::from(upright[k]) - i64::from(turned[k]);
+                ensure(count.abs() <= 1, || format!("({i}, {j}) is drawn {count} times"))?;
+                ensure(count == 1 || !inside, || format!("a hole at ({i}, {j})"))?;
             }
-            seen.class("samples well inside", well_inside > 20);
-            Ok(())
-        },
-    );
+        }
+        seen.class("samples well inside", well_inside > 20);
+        Ok(())
+    });
 }

@@ -24,21 +24,11 @@ fn the_top_left_rule_partitions_a_triangulation() {
             // One pixel beyond the screen on every side, so that every sample lies inside.
             let (lowest, highest) = (I64Vec2::new(-1, -1), I64Vec2::new(WIDTH.into(), HEIGHT.into()));
             let triangles = triangulation(lowest * SUBPIXELS, highest * SUBPIXELS, &points);
-            let edges = || {
-                triangles
-                    .iter()
-                    .flat_map(|[a, b, c]| [(*a, *b), (*b, *c), (*c, *a)])
-            };
+            let edges = || triangles.iter().flat_map(|[a, b, c]| [(*a, *b), (*b, *c), (*c, *a)]);
             let between =
                 |p: I64Vec2, (a, b): (I64Vec2, I64Vec2)| area(a, b, p) == 0 && (a - p).dot(b - p) < 0;
-            seen.class(
-                "a sample on an edge",
-                edges().any(|edge| samples().any(|p| between(p, edge))),
-            );
-            seen.class(
-                "a sample on an inner vertex",
-                points.iter().any(|p| *p % SUBPIXELS == I64Vec2::ZERO),
-            );
+            seen.class("a sample on an edge", edges().any(|edge| samples().any(|p| between(p, edge))));
+            seen.class("a sample on an inner vertex", points.iter().any(|p| *p % SUBPIXELS == I64Vec2::ZERO));
             let level = |(a, b): (I64Vec2, I64Vec2)| a.y == b.y && a.y % SUBPIXELS == 0;
             seen.class(
                 "a horizontal edge through samples",
@@ -61,16 +51,8 @@ fn the_strict_and_the_inclusive_test_of_the_slides_do_not_partition() {
     let p = I64Vec2::new(3, 3) * SUBPIXELS;
     let inner = |[a, b, c]: [I64Vec2; 3]| area(a, b, p).min(area(b, c, p)).min(area(c, a, p));
     let both = [[a, b, c], [a, c, d]];
-    assert_eq!(
-        both.iter().filter(|t| inner(**t) > 0).count(),
-        0,
-        "strict: a hole"
-    );
-    assert_eq!(
-        both.iter().filter(|t| inner(**t) >= 0).count(),
-        2,
-        "inclusive: drawn twice"
-    );
+    assert_eq!(both.iter().filter(|t| inner(**t) > 0).count(), 0, "strict: a hole");
+    assert_eq!(both.iter().filter(|t| inner(**t) >= 0).count(), 2, "inclusive: drawn twice");
     assert_eq!(coverage(both.map(flat))[(3 * WIDTH + 3) as usize], 1);
 }
 
@@ -88,16 +70,12 @@ fn a_fan_of_a_thousand_slivers_covers_each_sample_once() {
                 let rim = |k: usize| {
                     let angle = TAU * ((k % SLIVERS) as f64 + turn) / SLIVERS as f64;
                     let arm = SUBPIXELS as f64 * radius;
-                    hub + I64Vec2::new(
-                        (arm * angle.cos()).round() as i64,
-                        (arm * angle.sin()).round() as i64,
-                    )
+                    hub + I64Vec2::new((arm * angle.cos()).round() as i64, (arm * angle.sin()).round() as i64)
                 };
                 let counts = coverage((0..SLIVERS).map(|k| flat([hub, rim(k), rim(k + 1)])));
                 // Snapping moves the rim by less than a hundredth of a pixel, its chords cut off less than another.
-                let distances: Vec<f64> = samples()
-                    .map(|p| (p - hub).as_dvec2().length() / SUBPIXELS as f64 - radius)
-                    .collect();
+                let distances: Vec<f64> =
+                    samples().map(|p| (p - hub).as_dvec2().length() / SUBPIXELS as f64 - radius).collect();
                 seen.class("its hub is a sample", hub % SUBPIXELS == I64Vec2::ZERO);
                 seen.class("some samples lie outside", distances.iter().any(|d| *d > 0.02));
                 seen.class("all samples lie inside", distances.iter().all(|d| *d < -0.02));
@@ -146,14 +124,8 @@ fn the_fast_rasterizer_gives_the_fragments_of_the_slides_one() {
                 "a vertex beyond 1000 pixels",
                 triangle.vertices.iter().any(|v| v.position.x.abs() > 1e3),
             );
-            let bits = |f: &Fragment| {
-                (
-                    f.i,
-                    f.j,
-                    f.z.to_bits(),
-                    f.weights.to_vec3().to_array().map(f32::to_bits),
-                )
-            };
+            let bits =
+                |f: &Fragment| (f.i, f.j, f.z.to_bits(), f.weights.to_vec3().to_array().map(f32::to_bits));
             ensure(slide.iter().map(bits).eq(fast.iter().map(bits)), || {
                 format!("slide {slide:?}\nfast {fast:?}")
             })
@@ -169,9 +141,7 @@ fn coverage_does_not_depend_on_the_order_of_the_vertices() {
             let first = covered([a, b, c]);
             seen.class("something is drawn", first.contains(&1));
             let others = [[a, c, b], [b, a, c], [b, c, a], [c, a, b], [c, b, a]];
-            ensure(others.into_iter().all(|order| covered(order) == first), || {
-                format!("{first:?}")
-            })
+            ensure(others.into_iter().all(|order| covered(order) == first), || format!("{first:?}"))
         });
 }
 
@@ -181,12 +151,7 @@ fn moving_a_triangle_by_whole_pixels_moves_its_fragments() {
     Law::new("a triangle moved by whole pixels leaves the same fragments, moved")
         .demand("something is drawn", 0.5)
         .holds_for(
-            (
-                corners,
-                [-1.0_f32..1.0, -1.0..1.0, -1.0..1.0],
-                -6..=6_i64,
-                -6..=6_i64,
-            ),
+            (corners, [-1.0_f32..1.0, -1.0..1.0, -1.0..1.0], -6..=6_i64, -6..=6_i64),
             |(corners, z, di, dj), seen| {
                 let triangle = |by: I64Vec2| deep(corners.map(|p| p + by * SUBPIXELS), z, [-0.5, -2.0, -0.1]);
                 let here = fragments(&triangle(I64Vec2::ZERO));
@@ -197,9 +162,7 @@ fn moving_a_triangle_by_whole_pixels_moves_its_fragments() {
                     j: (i64::from(f.j) + dj) as u32,
                     ..*f
                 };
-                ensure(here.iter().map(moved).eq(there.iter().copied()), || {
-                    format!("{here:?}\n{there:?}")
-                })
+                ensure(here.iter().map(moved).eq(there.iter().copied()), || format!("{here:?}\n{there:?}"))
             },
         );
 }

@@ -35,9 +35,7 @@ fn depth_is_affine_on_the_screen_and_stays_between_the_vertices() {
             let z = triangle.vertices.map(|v| v.position.z);
             let (least, greatest) = (z[0].min(z[1]).min(z[2]), z[0].max(z[1]).max(z[2]));
             for f in &drawn {
-                ensure(least <= f.z && f.z <= greatest, || {
-                    format!("{f:?} leaves {least}..{greatest}")
-                })?;
+                ensure(least <= f.z && f.z <= greatest, || format!("{f:?} leaves {least}..{greatest}"))?;
                 // The rounding of z itself; the 64-bit errors of a plane this steep stay below 1e-9.
                 ensure_close("z", f.z, z_of(f) as f32, 2.0 * ROUNDING + 1e-9)?;
             }
@@ -47,24 +45,21 @@ fn depth_is_affine_on_the_screen_and_stays_between_the_vertices() {
 
 #[test]
 fn weights_sum_to_one_and_none_is_negative() {
-    Law::new("weights are in [0, 1] and sum to 1")
-        .cases(1000)
-        .demand("drawn", 0.4)
-        .holds_for(triangle(), |t, seen| {
+    Law::new("weights are in [0, 1] and sum to 1").cases(1000).demand("drawn", 0.4).holds_for(
+        triangle(),
+        |t, seen| {
             let drawn = fragments(&t);
             seen.class("drawn", !drawn.is_empty());
             for f in drawn {
                 let Barycentric { alpha, beta, gamma } = f.weights;
-                ensure(
-                    [alpha, beta, gamma].iter().all(|w| (0.0..=1.0).contains(w)),
-                    || format!("{f:?}"),
-                )?;
+                ensure([alpha, beta, gamma].iter().all(|w| (0.0..=1.0).contains(w)), || format!("{f:?}"))?;
                 // Three roundings.
                 let sum = f64::from(alpha) + f64::from(beta) + f64::from(gamma);
                 ensure_close("sum", sum as f32, 1.0, 3.0 * ROUNDING + f32::EPSILON / 2.0)?;
             }
             Ok(())
-        });
+        },
+    );
 }
 
 #[test]
@@ -95,36 +90,20 @@ const EYE: Vec3 = vec3(3.0, -2.0, 5.0);
 fn view_and_triangle() -> impl Strategy<Value = (Pipeline, Triangle)> {
     let corner =
         (-1.0_f32..1.0, -1.0_f32..1.0, 1.0_f32..40.0).prop_map(|(x, y, d)| EYE + vec3(x * d, y * d, -d));
-    (
-        -0.9_f32..-0.3,
-        0.4_f32..1.0,
-        [corner.clone(), corner.clone(), corner],
-    )
-        .prop_map(|(left, right, [a, b, c])| {
-            let volume = ViewVolume {
-                left,
-                right,
-                bottom: -0.7,
-                top: 0.5,
-                near: -0.8,
-                far: -50.0,
-            };
+    (-0.9_f32..-0.3, 0.4_f32..1.0, [corner.clone(), corner.clone(), corner]).prop_map(
+        |(left, right, [a, b, c])| {
+            let volume = ViewVolume { left, right, bottom: -0.7, top: 0.5, near: -0.8, far: -50.0 };
             let camera = Camera::look_at(EYE, EYE - Vec3::Z, Vec3::Y).expect("a fixed camera");
-            (
-                Pipeline::new(camera, volume, WIDTH, HEIGHT).expect("a valid volume"),
-                Triangle::new(a, b, c),
-            )
-        })
+            (Pipeline::new(camera, volume, WIDTH, HEIGHT).expect("a valid volume"), Triangle::new(a, b, c))
+        },
+    )
 }
 
 /// Where a point of the world is on the screen, in 64 bits.
 fn pixel_of(view: &Pipeline, p_world: DVec3) -> (f64, f64) {
     let clip = view.clip_from_world().as_dmat4() * p_world.extend(1.0);
     let to_pixel = |canonical: f64, side: u32| (0.5 * (canonical + 1.0)) * f64::from(side) - 0.5;
-    (
-        to_pixel(clip.x / clip.w, WIDTH),
-        to_pixel(clip.y / clip.w, HEIGHT),
-    )
+    (to_pixel(clip.x / clip.w, WIDTH), to_pixel(clip.y / clip.w, HEIGHT))
 }
 
 /// The greatest distance, in pixels, from a fragment's centre to where its weights lie on the screen.
@@ -166,53 +145,34 @@ fn weights_give_the_world_point_under_the_pixel_and_affine_ones_do_not() {
             let correct = worst_distance(&view, &triangle, &drawn, |f| f.weights.to_vec3().as_dvec3());
             // The affine weights on the screen: what equal w would give.
             let affine_screen = ScreenTriangle {
-                vertices: screen
-                    .vertices
-                    .map(|v| zbuffer::ScreenVertex { inv_w: -1.0, ..v }),
+                vertices: screen.vertices.map(|v| zbuffer::ScreenVertex { inv_w: -1.0, ..v }),
             };
             let affine = worst_distance(&view, &triangle, &fragments(&affine_screen), |f| {
                 f.weights.to_vec3().as_dvec3()
             });
             seen.class("affine weights miss by more than a pixel", affine > 1.0);
-            ensure(correct <= BOUND, || {
-                format!("{correct} pixels off, allowed is {BOUND}")
-            })
+            ensure(correct <= BOUND, || format!("{correct} pixels off, allowed is {BOUND}"))
         });
 }
 
 #[test]
 fn halfway_on_the_screen_between_depths_2_and_50_lies_depth_3_85() {
     // E9: the slide interpolates z over the pixels, without saying which. A floor whose edge runs from z = −2 to −50.
-    let volume = ViewVolume {
-        left: -1.0,
-        right: 1.0,
-        bottom: -1.0,
-        top: 1.0,
-        near: -1.0,
-        far: -100.0,
-    };
+    let volume = ViewVolume { left: -1.0, right: 1.0, bottom: -1.0, top: 1.0, near: -1.0, far: -100.0 };
     let camera = Camera::look_at(Vec3::ZERO, vec3(0.0, 0.0, -1.0), Vec3::Y).unwrap();
     let view = Pipeline::new(camera, volume, 21, 21).unwrap();
     // Columns 2 and 18 of row 10: canonical x = −16/21 and 16/21, y = 0.
     let on_ray = |x: f32, z: f32| vec3(x * -z, 0.0, z);
-    let triangle = Triangle::new(
-        on_ray(-16.0 / 21.0, -2.0),
-        on_ray(16.0 / 21.0, -50.0),
-        vec3(0.0, -3.0, -4.0),
-    );
-    let screen = project(&view.clip_from_world(), 21, 21, &triangle)
-        .triangles()
-        .next()
-        .unwrap();
+    let triangle =
+        Triangle::new(on_ray(-16.0 / 21.0, -2.0), on_ray(16.0 / 21.0, -50.0), vec3(0.0, -3.0, -4.0));
+    let screen = project(&view.clip_from_world(), 21, 21, &triangle).triangles().next().unwrap();
     let mut middle = None;
     zbuffer::rasterize(&screen, 21, 21, |f| {
         if (f.i, f.j) == (10, 10) {
             middle = Some(f);
         }
     });
-    let z_camera = triangle
-        .point(middle.expect("the top edge belongs to the triangle").weights)
-        .z;
+    let z_camera = triangle.point(middle.expect("the top edge belongs to the triangle").weights).z;
     // 1/z is the mean of −1/2 and −1/50. Snapping is exact here to within ε; the far corner counts 50-fold.
     assert_close("z_camera", z_camera, -1.0 / 0.26, 50.0 * 8.0 * f32::EPSILON);
     let slide = 0.5 * (-2.0 + -50.0);

@@ -27,11 +27,7 @@ fn position(reach: i64) -> impl Strategy<Value = I64Vec2> + Clone {
 /// A vertex exactly at a snapped position. Below 2^24 snapped units, which is 2^16 pixels, an `f32` holds it exactly.
 fn vertex(p: I64Vec2, z: f32, inv_w: f32, weights: Barycentric) -> ScreenVertex {
     let [x, y] = p.to_array().map(|snapped| snapped as f32 / SUBPIXELS as f32);
-    ScreenVertex {
-        position: Vec3::new(x, y, z),
-        inv_w,
-        weights,
-    }
+    ScreenVertex { position: Vec3::new(x, y, z), inv_w, weights }
 }
 
 /// A triangle of constant depth and w.
@@ -84,9 +80,7 @@ fn triangulation(lowest: I64Vec2, highest: I64Vec2, points: &[I64Vec2]) -> Vec<[
         // On an edge, p splits both neighbours in two; inside, one triangle in three; on a vertex, nothing.
         for [a, b, c] in hit {
             rest.extend(
-                [[p, b, c], [a, p, c], [a, b, p]]
-                    .into_iter()
-                    .filter(|[a, b, c]| area(*a, *b, *c) > 0),
+                [[p, b, c], [a, p, c], [a, b, p]].into_iter().filter(|[a, b, c]| area(*a, *b, *c) > 0),
             );
         }
         triangles = rest;
