@@ -33,18 +33,14 @@ pub enum RenderError {
     },
     /// An object's transforms carry it out of the range in which areas can be computed.
     #[error(
-        "object {object} (counted from 0) reaches beyond {:e}: scale it down, or give its OBJ file `fit = true`",
-        crate::limits::GREATEST_COORDINATE
+        "object {object} (counted from 0) reaches beyond {GREATEST_COORDINATE:e}: scale it down, or give its OBJ file `fit = true`"
     )]
     FarAway {
         /// Its place in the scene.
         object: usize,
     },
     /// More than [`MOST_TRIANGLES`].
-    #[error(
-        "with object {object} (counted from 0) there are more than {} triangles",
-        crate::limits::MOST_TRIANGLES
-    )]
+    #[error("with object {object} (counted from 0) there are more than {MOST_TRIANGLES} triangles")]
     TooManyTriangles {
         /// The object that is too much.
         object: usize,

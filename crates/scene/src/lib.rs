@@ -1,6 +1,6 @@
 //! How does a text become a picture? A scene file is read, made ready, and drawn by any renderer.
 //!
-//! - [`mod@scene`]: what a scene file says, as plain data; [`write`] gives it back as text.
+//! - [`mod@scene`]: what a scene file says, as plain data; [`mod@write`] gives it back as text.
 //! - [`mod@load`]: scene files and bare meshes from the disk, with errors at line and column ([`error`]).
 //! - [`builtin`]: the scenes that need no file.
 //! - [`mod@prepare`]: meshes and matrices for the renderers.

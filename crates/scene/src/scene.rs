@@ -1,7 +1,7 @@
 //! What is in a picture? Camera, lights, materials, objects and settings, as a scene file gives them.
 //!
 //! A [`Scene`] is plain data: it can be built, compared, written ([`Scene::to_toml`]) and read ([`Scene::from_toml`]).
-//! Angles are degrees here, for this is the model of a file; [`crate::prepare`] turns them into radians.
+//! Angles are degrees here, for this is the model of a file; [`crate::prepare()`] turns them into radians.
 
 use std::collections::BTreeMap;
 
@@ -20,7 +20,7 @@ pub struct Scene {
     pub camera: View,
     /// The colour where no object is.
     pub background: Rgb,
-    /// The lights; `to_light` of a directional one may have any length but 0, [`crate::prepare`] makes it a unit vector.
+    /// The lights; `to_light` of a directional one may have any length but 0, [`crate::prepare()`] makes it a unit vector.
     pub lights: Vec<Light>,
     /// The surfaces by name. Only the ray tracer follows mirrors and glass (L58).
     pub materials: BTreeMap<String, Surface>,
