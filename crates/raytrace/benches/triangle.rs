@@ -8,10 +8,15 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use geometry::{Ray, Triangle};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
-use raytrace::triangle::{Solution, System, cramer, elimination, inverse, raytri, system, watertight};
+use raytrace::triangle::{
+    Solution, System, TriangleHit, cramer, elimination, inverse, raytri, system, watertight,
+};
 use testkit::strategy;
 
 const PAIRS: usize = 1000;
+
+type Solver = fn(&System) -> Option<Solution>;
+type Test = fn(&Ray, &Triangle, f32, f32) -> Option<TriangleHit>;
 
 fn pairs() -> Vec<(Ray, Triangle)> {
     let mut runner = TestRunner::deterministic();
@@ -27,7 +32,7 @@ fn triangle(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("ray and triangle");
     group.sample_size(20).warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_secs(1));
     group.throughput(Throughput::Elements(PAIRS as u64));
-    let solvers: [(&str, fn(&System) -> Option<Solution>); 3] =
+    let solvers: [(&str, Solver); 3] =
         [("cramer", cramer), ("inverse", inverse), ("elimination", elimination)];
     for (name, solve) in solvers {
         group.bench_function(name, |bencher| {
@@ -38,8 +43,7 @@ fn triangle(criterion: &mut Criterion) {
             });
         });
     }
-    let tests: [(&str, fn(&Ray, &Triangle, f32, f32) -> Option<raytrace::triangle::TriangleHit>); 2] =
-        [("raytri", raytri), ("watertight", watertight)];
+    let tests: [(&str, Test); 2] = [("raytri", raytri), ("watertight", watertight)];
     for (name, test) in tests {
         group.bench_function(name, |bencher| {
             bencher.iter(|| {

@@ -74,7 +74,9 @@ impl Batch {
         pipeline: &Pipeline,
     ) -> Self {
         let (width, height) = (pipeline.width(), pipeline.height());
-        let mut batch = Self { triangles: Vec::with_capacity(triangles.len()), rows: u32::MAX..0 };
+        // No rows yet: the start moves down and the end moves up with each triangle.
+        let no_rows = Range { start: u32::MAX, end: 0 };
+        let mut batch = Self { triangles: Vec::with_capacity(triangles.len()), rows: no_rows };
         for (triangle, corners) in (first..).zip(triangles) {
             let corners = corners.map(|index| corners_clip[index as usize]);
             for on_screen in project_clip(corners, width, height).triangles() {
