@@ -8,7 +8,7 @@ use crate::{Facet, Frame, Shading, Surface, Visible, World};
 /// Draws object by object, triangle by triangle, pixel by pixel: the nearer wins (L16).
 ///
 /// A colour is computed for every fragment that is nearer than all before it, though a later one may hide it (E16).
-/// [`crate::render`] gives the same frame, bit for bit, and computes only the colours that stay.
+/// [`crate::render()`] gives the same frame, bit for bit, and computes only the colours that stay.
 ///
 /// # Panics
 /// If an object's matrix is not finite, or if the screen is too large for [`zbuffer::project`].

@@ -92,7 +92,7 @@ impl<'a> Table<'a> {
 
     /// Refuses keys other than the `known` ones.
     pub(super) fn check_keys(&self, known: &[&str]) -> Result<(), SceneError> {
-        for (key, _) in self.entries.iter() {
+        for (key, _) in self.entries {
             let name: &str = key.get_ref();
             if !known.contains(&name) {
                 let problem = format!("unknown key `{}`", self.path_of(name));
