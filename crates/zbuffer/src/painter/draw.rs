@@ -1,5 +1,6 @@
 //! How does a plan become a picture? Piece after piece, each over what is there.
 
+use super::piece::Piece;
 use super::plan::Plan;
 use crate::rasterize::rasterize_rows;
 use crate::screen::{Fragment, ScreenTriangle};
@@ -44,10 +45,31 @@ pub fn for_each_fragment(
     mut draw: impl FnMut(usize, Fragment),
 ) {
     for piece in &plan.pieces {
-        rasterize_rows(&triangles[piece.triangle], width, piece.rows(height), |fragment| {
-            if piece.covers(fragment.i, fragment.j) {
-                draw(piece.triangle, fragment);
-            }
-        });
+        let triangle = &triangles[piece.triangle];
+        for_each_pixel(piece, triangle, width, height, |fragment| draw(piece.triangle, fragment));
+    }
+}
+
+/// The fragments of one piece. A cut one is drawn row by row, as it often has few of its triangle's pixels.
+fn for_each_pixel(
+    piece: &Piece,
+    triangle: &ScreenTriangle,
+    width: u32,
+    height: u32,
+    mut draw: impl FnMut(Fragment),
+) {
+    let Some((columns, rows)) = piece.box_to_search() else {
+        return rasterize_rows(triangle, width, 0..height, draw);
+    };
+    for j in rows.filter(|j| (0..i64::from(height)).contains(j)) {
+        let span = piece.span(columns.clone(), j);
+        if !span.is_empty() {
+            let j = j as u32;
+            rasterize_rows(triangle, width, j..j + 1, |fragment| {
+                if span.contains(&i64::from(fragment.i)) && piece.covers(fragment.i, fragment.j) {
+                    draw(fragment);
+                }
+            });
+        }
     }
 }

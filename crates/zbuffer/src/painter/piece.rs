@@ -1,6 +1,6 @@
 //! What is left of a triangle after cuts? The pixels on one side of each.
 
-use std::ops::Range;
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use super::facet::{Facet, pixel_centre};
@@ -43,8 +43,12 @@ pub(super) struct CutLine {
     pub(super) theirs: Facet,
 }
 
-/// How much larger than 2^−53 of its terms the rounding of [`CutLine::difference`] can be: fewer than 16 operations.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// The rounding of [`CutLine::difference`] as a part of its terms: each of fewer than 16 operations adds half an epsilon.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// A span without pixels.
+#[expect(clippy::reversed_empty_ranges, reason = "the empty span is meant")]
+const NO_COLUMNS: RangeInclusive<i64> = 1..=0;
 
 impl Piece {
     /// The whole triangle.
@@ -72,26 +76,17 @@ impl Piece {
         self.cuts.iter().all(|cut| cut.keeps(i64::from(i), i64::from(j)))
     }
 
-    /// The rows of a screen of this height in which the piece can have pixels.
-    pub(super) fn rows(&self, height: u32) -> Range<u32> {
-        let Some(first_cut) = self.cuts.first() else {
-            return 0..height;
-        };
-        let bounds = first_cut.line.ours.bounds();
-        let pixels = |lowest: f64, highest: f64| {
-            let size = SUBPIXELS as f64;
-            ((lowest / size).ceil() as i64, (highest / size).floor() as i64)
-        };
-        let (left, right) = pixels(bounds.min.x, bounds.max.x);
-        let (bottom, top) = pixels(bounds.min.y, bounds.max.y);
-        let can_have_pixels = |j: &i64| self.cuts.iter().all(|cut| cut.can_keep_some(left, right, *j));
-        let mut rows = bottom.max(0)..(top + 1).min(i64::from(height)).max(0);
-        // The piece is convex, so its rows are neighbours.
-        let Some(first) = rows.find(can_have_pixels) else {
-            return 0..0;
-        };
-        let last = rows.rfind(can_have_pixels).unwrap_or(first);
-        first as u32..last as u32 + 1
+    /// The pixels of row `j` among which all of this piece's are, if it is cut; the rest need not be asked.
+    pub(super) fn span(&self, columns: RangeInclusive<i64>, j: i64) -> RangeInclusive<i64> {
+        self.cuts.iter().fold(columns, |columns, cut| cut.span(columns, j))
+    }
+
+    /// The box around the triangle if it is cut: columns and rows of pixels, possibly off the screen.
+    pub(super) fn box_to_search(&self) -> Option<(RangeInclusive<i64>, RangeInclusive<i64>)> {
+        let bounds = self.cuts.first()?.line.ours.bounds();
+        let (min, max) = (bounds.min / SUBPIXELS as f64, bounds.max / SUBPIXELS as f64);
+        let pixels = |min: f64, max: f64| min.ceil() as i64..=max.floor() as i64;
+        Some((pixels(min.x, max.x), pixels(min.y, max.y)))
     }
 }
 
@@ -101,13 +96,22 @@ impl Cut {
         is_nearer == (self.side == Side::Nearer)
     }
 
-    /// Whether [`Cut::keeps`] can hold for a pixel of row `j` between two columns. The difference is affine, so it is
-    /// nowhere greater than at one of the ends, rounding aside.
-    fn can_keep_some(&self, left: i64, right: i64, j: i64) -> bool {
+    /// The part of a row outside which [`Cut::keeps`] never holds. The difference is affine along the row, so its values
+    /// at the ends bound it in between; rounding can lift those and the one in between.
+    fn span(&self, columns: RangeInclusive<i64>, j: i64) -> RangeInclusive<i64> {
+        let (left, right) = (*columns.start(), *columns.end());
         let sign = if self.side == Side::Nearer { 1.0 } else { -1.0 };
-        let greatest = (sign * self.line.difference(left, j)).max(sign * self.line.difference(right, j));
         let magnitude = self.line.magnitude(left, j).max(self.line.magnitude(right, j));
-        -ROUNDING * magnitude <= greatest
+        let bound = |i: i64| sign * self.line.difference(i, j) + 2.0 * ROUNDING * magnitude;
+        let (at_left, at_right) = (bound(left), bound(right));
+        // Where the bound is 0, to a pixel.
+        let zero = || left + ((right - left) as f64 * (at_left / (at_left - at_right))) as i64;
+        match (0.0 <= at_left, 0.0 <= at_right) {
+            (true, true) => columns,
+            (true, false) => left..=right.min(zero() + 1),
+            (false, true) => left.max(zero() - 1)..=right,
+            (false, false) => NO_COLUMNS,
+        }
     }
 }
 
@@ -146,11 +150,15 @@ mod tests {
     }
 
     #[test]
-    fn rows_leave_out_what_lies_beyond_the_cut() {
+    fn a_span_leaves_out_what_lies_beyond_the_cut_and_nothing_else() {
+        let nearer = Piece::whole(4).cut(1, Side::Nearer, line());
         let farther = Piece::whole(4).cut(1, Side::Farther, line());
-        assert_eq!(Piece::whole(4).rows(6), 0..6);
-        // The rows are judged by the triangle's box, where this cut leaves something in each.
-        assert_eq!(farther.rows(6), 0..6);
-        assert_eq!(farther.rows(100), 0..10);
+        let (columns, rows) = farther.box_to_search().unwrap();
+        assert_eq!((columns.clone(), rows), (0..=12, 0..=9));
+        // The cut lies between 7 and 8; a pixel more on either side is allowed.
+        assert_eq!(nearer.span(columns.clone(), 2), 0..=8);
+        assert_eq!(farther.span(columns, 2), 6..=12);
+        assert!(farther.span(0..=5, 2).is_empty());
+        assert_eq!(Piece::whole(4).box_to_search(), None);
     }
 }

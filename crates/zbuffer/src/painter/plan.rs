@@ -43,42 +43,35 @@ pub fn plan(triangles: &[ScreenTriangle]) -> Plan {
 }
 
 fn plan_with_cuts(triangles: &[ScreenTriangle], first_cycle: OcclusionCycle) -> Plan {
-    let facets: Vec<_> = triangles.iter().map(|triangle| Facet::new(triangle).map(Arc::new)).collect();
-    let cycles = cycles(&facets).unwrap_or_else(|| vec![first_cycle]);
     let mut untangling = Untangling::default();
     let mut parts = Vec::new();
-    for (k, facet) in facets.into_iter().enumerate() {
-        match facet {
-            Some(facet) => parts.push(Part::whole(k, facet)),
+    for (k, triangle) in triangles.iter().enumerate() {
+        match Facet::new(triangle) {
+            Some(facet) => parts.push(Part::whole(k, Arc::new(facet))),
             // Without area it hides nothing and draws nothing.
             None => untangling.pieces.push(Piece::whole(k)),
         }
     }
-    untangling.untangle(parts);
+    let graph = graph_of(&parts);
+    let cycles = graph.as_ref().map_or_else(|| vec![first_cycle], |graph| cycles(&parts, graph));
+    untangling.draw(untangled(parts, graph));
     Plan { pieces: untangling.pieces, cycles, splits: untangling.splits }
 }
 
-/// What stands in the way of an order. `None` if there are too many overlaps to keep.
-fn cycles(facets: &[Option<Arc<Facet>>]) -> Option<Vec<OcclusionCycle>> {
-    let parts: Vec<_> =
-        facets.iter().enumerate().filter_map(|(k, facet)| Some(Part::whole(k, facet.clone()?))).collect();
-    let graph = graph_of(&parts)?;
-    let name = |k: usize| parts[k].triangle();
-    let mut cycles: Vec<_> = graph
-        .piercing_pairs()
-        .into_iter()
-        .map(|(a, b)| OcclusionCycle { polygons: vec![name(a), name(b)] })
-        .collect();
+/// What stands in the way of an order: pairs that pass through each other, and a cycle for each group of others.
+fn cycles(parts: &[Part], graph: &Graph) -> Vec<OcclusionCycle> {
+    let pairs = graph.piercing_pairs().into_iter().map(|(a, b)| OcclusionCycle { polygons: vec![a, b] });
     let rest = graph.without_piercing_pairs();
-    for component in rest.components() {
-        let cycle = OcclusionCycle::shortest_through(component[0], |front| rest.behind(front));
-        cycles.extend(
-            cycle.map(|cycle| OcclusionCycle { polygons: cycle.polygons.into_iter().map(name).collect() }),
-        );
-    }
-    Some(cycles)
+    let shortest = |group: Vec<usize>| OcclusionCycle::shortest_through(group[0], |front| rest.behind(front));
+    let others = rest.components().into_iter().filter_map(shortest);
+    // The graph counts parts; triangles without area are not among them.
+    let name = |k: usize| parts[k].triangle();
+    let named =
+        |cycle: OcclusionCycle| OcclusionCycle { polygons: cycle.polygons.into_iter().map(name).collect() };
+    pairs.chain(others).map(named).collect()
 }
 
+/// Who hides whom; `None` if it is too large to keep.
 fn graph_of(parts: &[Part]) -> Option<Graph> {
     let bounds: Vec<_> = parts.iter().map(Part::bounds).collect();
     Graph::new(&bounds, |a, b| parts[a].relation(&parts[b]))
@@ -102,16 +95,18 @@ struct Untangling {
 }
 
 impl Untangling {
-    /// Draws all parts. Where they form a cycle, the plane of one of them divides the others.
+    /// Does all tasks. Where parts form a cycle, the plane of one of them divides the others.
     ///
     /// It ends: no two parts in a task belong to the same triangle, as a cut puts one half before the plane and one
     /// behind it; and each division takes out a triangle, so that on the way from the first task to any other there
     /// are at most n divisions.
-    fn untangle(&mut self, parts: Vec<Part>) {
-        let mut tasks = vec![Task::Untangle(parts)];
+    fn draw(&mut self, mut tasks: Vec<Task>) {
         while let Some(task) = tasks.pop() {
             match task {
-                Task::Untangle(parts) => tasks.extend(untangled(parts)),
+                Task::Untangle(parts) => {
+                    let graph = graph_of(&parts);
+                    tasks.extend(untangled(parts, graph));
+                }
                 Task::Divide(parts) => tasks.extend(self.divided(parts)),
                 Task::Draw(part) => self.pieces.push(part.into_piece()),
             }
@@ -140,8 +135,9 @@ impl Untangling {
 }
 
 /// Single parts and groups that form cycles, from front to back, as the last is done first.
-fn untangled(parts: Vec<Part>) -> Vec<Task> {
-    let Some(graph) = graph_of(&parts) else {
+/// Without a graph, all parts count as one group.
+fn untangled(parts: Vec<Part>, graph: Option<Graph>) -> Vec<Task> {
+    let Some(graph) = graph else {
         return vec![Task::Divide(parts)];
     };
     let mut parts: Vec<_> = parts.into_iter().map(Some).collect();

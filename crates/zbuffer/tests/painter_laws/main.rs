@@ -1,133 +1,16 @@
 //! Laws of the painter's algorithm (L13, L14): the order is right pair by pair, and so is the picture.
 
-use std::cell::Cell;
+mod inputs;
+mod picture;
 
-use geometry::{Barycentric, Mesh, shapes};
-use glam::{Mat3, Vec3, vec3};
+use geometry::shapes;
 use proptest::prelude::*;
 use testkit::{Classes, Law, Outcome, ensure, strategy};
-use zbuffer::painter::{self, DEPTH_TOLERANCE, OcclusionCycle, Relation};
-use zbuffer::{Fragment, ScreenTriangle, ScreenVertex, rasterize};
+use zbuffer::painter::{self, OcclusionCycle, Relation};
+use zbuffer::{ScreenTriangle, rasterize};
 
-const WIDTH: u32 = 64;
-const HEIGHT: u32 = 48;
-
-fn on_screen(corners: [Vec3; 3]) -> ScreenTriangle {
-    let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
-    let vertex = |k: usize| ScreenVertex { position: corners[k], inv_w: -1.0, weights: weights[k] };
-    ScreenTriangle { vertices: [vertex(0), vertex(1), vertex(2)] }
-}
-
-/// A position on a coarse grid, so that triangles often touch, share corners and have no area; a little off screen too.
-fn position() -> impl Strategy<Value = (f32, f32)> {
-    (-8..40_i32, -8..32_i32).prop_map(|(x, y)| (2.0 * x as f32, 2.0 * y as f32))
-}
-
-/// A triangle anywhere; its depths differ by at most `thickness` from that of its first corner.
-fn triangle(thickness: f32) -> impl Strategy<Value = ScreenTriangle> {
-    let slope = -thickness..=thickness;
-    (position(), position(), position(), -1.0_f32..1.0, slope.clone(), slope).prop_map(
-        |(a, b, c, z, to_b, to_c)| {
-            let at = |(x, y): (f32, f32), z: f32| vec3(x, y, z.clamp(-1.0, 1.0));
-            on_screen([at(a, z), at(b, z + to_b), at(c, z + to_c)])
-        },
-    )
-}
-
-fn triangles(count: std::ops::Range<usize>, thickness: f32) -> impl Strategy<Value = Vec<ScreenTriangle>> {
-    prop::collection::vec(triangle(thickness), count)
-}
-
-/// Flat polygons and some that reach from near to far: some inputs have an order, others have not.
-fn mixed_triangles() -> impl Strategy<Value = Vec<ScreenTriangle>> {
-    (triangles(1..12, 0.05), triangles(0..2, 2.0), 0..12_usize).prop_map(|(mut all, steep, turn)| {
-        all.extend(steep);
-        let turn = turn % all.len();
-        all.rotate_left(turn);
-        all
-    })
-}
-
-/// What each pixel shows: the triangle and its depth there.
-type Picture = Vec<Option<(usize, f32)>>;
-
-fn empty_picture() -> Picture {
-    vec![None; (WIDTH * HEIGHT) as usize]
-}
-
-fn place(fragment: &Fragment) -> usize {
-    (fragment.j * WIDTH + fragment.i) as usize
-}
-
-/// The nearest triangle of each pixel, by comparison of all (L16).
-fn nearest(triangles: &[ScreenTriangle]) -> Picture {
-    let mut picture = empty_picture();
-    for (k, triangle) in triangles.iter().enumerate() {
-        rasterize(triangle, WIDTH, HEIGHT, |fragment| {
-            let pixel = &mut picture[place(&fragment)];
-            if pixel.is_none_or(|(_, z)| z < fragment.z) {
-                *pixel = Some((k, fragment.z));
-            }
-        });
-    }
-    picture
-}
-
-/// What remains when triangles are drawn over each other.
-fn painted(order: &[usize], triangles: &[ScreenTriangle]) -> Picture {
-    let mut picture = empty_picture();
-    for k in order {
-        rasterize(&triangles[*k], WIDTH, HEIGHT, |fragment| {
-            picture[place(&fragment)] = Some((*k, fragment.z));
-        });
-    }
-    picture
-}
-
-fn painted_by_plan(plan: &painter::Plan, triangles: &[ScreenTriangle]) -> Picture {
-    let mut picture = empty_picture();
-    painter::for_each_fragment(plan, triangles, WIDTH, HEIGHT, |k, fragment| {
-        picture[place(&fragment)] = Some((k, fragment.z));
-    });
-    picture
-}
-
-/// How far two depths may lie apart where the painter shows another triangle than the depth buffer: the tolerance, and
-/// the rounding of two fragments' depths to f32, 2^−25 each.
-const DEPTH_BOUND: f64 = DEPTH_TOLERANCE + 2.0 * (f32::EPSILON as f64) / 4.0;
-
-/// Pixels with a triangle in them, and those of them where painter and depth buffer show different triangles.
-#[derive(Default)]
-struct Pixels {
-    covered: Cell<u32>,
-    undecided: Cell<u32>,
-}
-
-impl Pixels {
-    fn ensure_same(&self, painted: &Picture, nearest: &Picture) -> Outcome {
-        for (p, (painted, nearest)) in painted.iter().zip(nearest).enumerate() {
-            let (Some((k, z)), Some((best, z_best))) = (painted, nearest) else {
-                ensure(painted == nearest, || {
-                    format!("pixel {p}: painted {painted:?}, nearest {nearest:?}")
-                })?;
-                continue;
-            };
-            let behind = f64::from(*z_best) - f64::from(*z);
-            ensure(behind <= DEPTH_BOUND, || {
-                format!("pixel {p} shows {k} at {z}, but {best} is nearer: {z_best}")
-            })?;
-            self.covered.set(self.covered.get() + 1);
-            self.undecided.set(self.undecided.get() + u32::from(k != best));
-        }
-        Ok(())
-    }
-
-    /// The tolerance is a part in four million of the depths' range: a law that needs it often hides something.
-    fn assert_nearly_all_decided(&self) {
-        let (covered, undecided) = (self.covered.get(), self.undecided.get());
-        assert!(1000 * undecided <= covered, "{undecided} of {covered} pixels differ within the tolerance");
-    }
-}
+use inputs::{cycle_of_three, mixed_triangles, seen_from, sheets, triangle, triangles};
+use picture::{HEIGHT, Pixels, WIDTH, nearest, painted, painted_by_plan, place};
 
 fn opposite(relation: Relation) -> Relation {
     match relation {
@@ -274,27 +157,6 @@ fn a_plan_draws_polygons_that_pierce_each_other_right() {
     pixels.assert_nearly_all_decided();
 }
 
-/// The three long triangles of Fig 8.9, each over the next, moved a little and in any order, with others in between.
-fn cycle_of_three() -> impl Strategy<Value = ([usize; 3], Vec<ScreenTriangle>)> {
-    let corners = [
-        [vec3(4.0, 6.0, -0.5), vec3(58.0, 9.0, 0.5), vec3(4.0, 16.0, -0.5)],
-        [vec3(46.0, 3.0, -0.5), vec3(56.0, 4.0, -0.5), vec3(26.0, 46.0, 0.5)],
-        [vec3(40.0, 40.0, -0.5), vec3(32.0, 48.0, -0.5), vec3(6.0, 2.0, 0.5)],
-    ];
-    let others = prop::collection::vec((position(), position(), position(), 0.7_f32..0.99), 0..3);
-    let order = Just(vec![0, 1, 2]).prop_shuffle();
-    (order, prop::collection::vec(strategy::point(1.0), 9), others).prop_map(move |(order, moves, others)| {
-        let moved = |k: usize, c: usize| corners[k][c] + moves[3 * k + c] * vec3(0.9, 0.9, 0.05);
-        let mut triangles: Vec<_> =
-            order.iter().map(|k| on_screen([moved(*k, 0), moved(*k, 1), moved(*k, 2)])).collect();
-        for (a, b, c, z) in others {
-            triangles.push(on_screen([a, b, c].map(|(x, y)| vec3(x, y, z))));
-        }
-        let index = |k: usize| order.iter().position(|x| *x == k).unwrap_or(0);
-        ([index(0), index(1), index(2)], triangles)
-    })
-}
-
 #[test]
 fn the_cycle_of_three_is_named_cut_and_drawn_right() {
     let pixels = Pixels::default();
@@ -311,14 +173,6 @@ fn the_cycle_of_three_is_named_cut_and_drawn_right() {
         },
     );
     pixels.assert_nearly_all_decided();
-}
-
-fn seen_from(mesh: &Mesh, turn: Mat3) -> Vec<ScreenTriangle> {
-    let corner = |p: Vec3| {
-        let p = turn * p;
-        vec3(31.5 + 21.0 * p.x, 24.25 + 21.0 * p.y, 0.9 * p.z)
-    };
-    (0..mesh.len()).map(|k| on_screen(mesh.triangle(k).corners().map(corner))).collect()
 }
 
 #[test]
@@ -346,16 +200,6 @@ fn neighbours_in_a_mesh_do_not_constrain_each_other_and_a_convex_one_has_an_orde
         },
     );
     pixels.assert_nearly_all_decided();
-}
-
-/// `count` sheets over the whole screen, one above the other, all with the same slope.
-fn sheets(count: usize) -> Vec<ScreenTriangle> {
-    let sheet = |k: usize| {
-        // 1234577 is prime, so the sheets come in a mixed-up order, each depth once.
-        let z = -0.8 + 1.5 * ((k * 1_234_577) % count) as f32 / count as f32;
-        on_screen([vec3(-70.0, -9.0, z + 0.1), vec3(140.0, -5.0, z - 0.1), vec3(20.0, 130.0, z)])
-    };
-    (0..count).map(sheet).collect()
 }
 
 #[test]
