@@ -107,10 +107,25 @@ fn distance_to_edge(p: DVec2, (a, b): (DVec2, DVec2)) -> f64 {
     p.distance(a + share * along)
 }
 
-/// The part of the edge on the screen, generously: a segment longer than the screen's diagonal counts as the diagonal.
+/// The length of the part of the edge that is on the screen.
 fn length_on_screen(stage: &Stage, (a, b): (DVec2, DVec2)) -> f64 {
+    let along = b - a;
     let size = DVec2::new(stage.pipeline.width().into(), stage.pipeline.height().into());
-    a.distance(b).min(size.length())
+    let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
+    for axis in 0..2 {
+        // The screen is [−½, n − ½] on both axes.
+        let (low, high) = (-0.5 - a[axis], size[axis] - 0.5 - a[axis]);
+        if along[axis] == 0.0 {
+            if low > 0.0 || high < 0.0 {
+                return 0.0;
+            }
+        } else {
+            let (s, t) = (low / along[axis], high / along[axis]);
+            enter = enter.max(s.min(t));
+            leave = leave.min(s.max(t));
+        }
+    }
+    along.length() * (leave - enter).max(0.0)
 }
 
 /// Canonical z of a triangle's plane at a point of the screen, in 64 bits; `None` if the plane is seen edge-on.
@@ -365,6 +380,26 @@ fn loose_triangles_win_the_same_pixels_in_every_renderer() {
 #[test]
 fn curved_shapes_win_the_same_pixels_in_every_renderer() {
     agreement("all renderers see the same triangle, curved shapes", 64, curved_shapes());
+}
+
+#[test]
+fn a_renderer_with_another_light_is_noticed() {
+    let camera = Camera::look_at(vec3(0.5, 1.0, 5.0), Vec3::ZERO, Vec3::Y).expect("a camera");
+    let volume = ViewVolume::from_fov_y(0.8, 1.0, -0.5, -30.0).expect("a volume");
+    let sphere = geometry::shapes::icosphere(2).expect("a sphere");
+    let stage = |red: f32| Stage {
+        meshes: vec![(sphere.clone(), Mat4::IDENTITY, Material::default())],
+        lights: vec![Light::Directional { to_light: vec3(0.0, 0.6, 0.8), color: Rgb::new(red, 0.5, 0.5) }],
+        pipeline: Pipeline::new(camera, volume, 48, 48).expect("a pipeline"),
+    };
+    let world = stage(0.5).traceable(raytrace::Interpolation::Phong);
+    let hits = raytrace::visible(&world, &stage(0.5).pipeline);
+    let outcome = |red: f32| {
+        let frame = stage(red).rasterized(Shading::Phong, Visibility::ZBuffer(DepthFormat::F32));
+        compare_colors(&stage(0.5), &frame, &world, &hits, &mut Tally::default())
+    };
+    assert!(outcome(0.5).is_ok());
+    assert!(outcome(0.52).is_err());
 }
 
 #[test]

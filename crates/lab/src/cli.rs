@@ -102,8 +102,7 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "NAME", value_parser = named::<Renderer>())]
     pub(crate) renderer: Option<Renderer>,
 
-    /// Where the lighting is computed: once a triangle, at its corners, or in every pixel (to the ray tracer the last two
-    /// are the same)
+    /// Where the lighting is computed: once a triangle, at its corners, or in every pixel
     #[arg(long, value_name = "NAME", value_parser = named::<Shading>())]
     pub(crate) shading: Option<Shading>,
 

@@ -126,7 +126,7 @@ fn overdraw_note(seen: &[Option<Seen>]) -> Option<String> {
     let most = counts.iter().max()?;
     let mean = counts.iter().sum::<u64>() as f64 / counts.len() as f64;
     Some(format!(
-        "overdraw: {mean:.2} colours computed per covered pixel, {most} at most (blue 1, … white 8 and more)"
+        "overdraw: {mean:.2} colours computed per covered pixel by the slide's loop, {most} at most (blue 1, … white 8 and more)"
     ))
 }
 

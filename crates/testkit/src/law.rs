@@ -36,6 +36,13 @@ impl Classes {
     pub fn class(&self, name: &'static str, belongs: bool) {
         *self.counts.borrow_mut().entry(name).or_default() += u32::from(belongs);
     }
+
+    /// Adds what one accepted input was counted as.
+    fn add(&self, input: &Self) {
+        for (name, count) in input.counts.borrow().iter() {
+            *self.counts.borrow_mut().entry(name).or_default() += count;
+        }
+    }
 }
 
 impl Law {
@@ -89,9 +96,16 @@ impl Law {
     {
         let config = self.config();
         let cases = config.cases;
-        // Shrinking tries further inputs after a failure; then nobody asks for coverage any more.
+        // Only inputs that the check accepts count: one that `prop_assume!` turns down was never interesting. Shrinking tries
+        // further inputs after a failure; then nobody asks for coverage any more.
         let classes = Classes::default();
-        match TestRunner::new(config).run(&strategy, |input| check(input, &classes)) {
+        let counted = |input| {
+            let of_input = Classes::default();
+            check(input, &of_input)?;
+            classes.add(&of_input);
+            Ok(())
+        };
+        match TestRunner::new(config).run(&strategy, counted) {
             Ok(()) => self.check_coverage(&classes, cases),
             Err(TestError::Fail(reason, input)) => Err(Failure::Counterexample {
                 law: self.sentence.clone(),
@@ -215,6 +229,17 @@ mod tests {
     #[test]
     fn a_demanded_class_that_is_never_named_is_refused() {
         let failure = Law::new("nothing").demand("hit", 0.0).verdict(0..9_u32, |_, _| Ok(()));
+        assert!(matches!(failure, Err(Failure::Coverage { .. })), "{failure:?}");
+    }
+
+    #[test]
+    fn an_input_that_was_turned_down_covers_nothing() {
+        let law = Law::new("small numbers are small").demand("large", 0.1);
+        let failure = law.verdict(0..100_u32, |n, seen| {
+            seen.class("large", n >= 50);
+            proptest::prop_assume!(n < 50);
+            Ok(())
+        });
         assert!(matches!(failure, Err(Failure::Coverage { .. })), "{failure:?}");
     }
 

@@ -141,6 +141,7 @@ mod tests {
 
     #[test]
     fn bases_of_opposite_handedness_give_a_mirror_not_a_rotation() {
+        // E15: the slide does not ask for equal handedness.
         let right = Basis { u: Vec3::X, v: Vec3::Y, w: Vec3::Z };
         let left = Basis { u: Vec3::X, v: Vec3::Y, w: Vec3::NEG_Z };
         assert_eq!(change_of_basis(&right, &left).determinant(), -1.0);

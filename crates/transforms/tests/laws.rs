@@ -152,7 +152,7 @@ fn perspective_fixes_its_planes() {
 
 #[test]
 fn perspective_keeps_depth_order() {
-    Law::new("nearer stays nearer (L2)").demand("close together", 0.05).holds_for(
+    Law::new("nearer stays nearer (L2)").demand("resolvable", 0.5).demand("close together", 0.05).holds_for(
         (strategy::view_volume(), 0.0_f32..1.0, 0.0_f32..1.0),
         |(volume, s, t), seen| {
             let depth = |share: f32| volume.near + share * (volume.far - volume.near);
@@ -165,6 +165,7 @@ fn perspective_keeps_depth_order() {
             let noise = 8.0 * EPS * volume.far * volume.far / near.abs();
             seen.class("close together", near - far < 0.05 * (volume.near - volume.far));
             let resolvable = slope * (near - far) > noise;
+            seen.class("resolvable", resolvable);
             ensure(z_near >= z_far - noise, || format!("{z_near} < {z_far}"))?;
             ensure(!resolvable || z_near > z_far, || format!("{z_near} ≤ {z_far}, though far enough apart"))
         },
