@@ -53,6 +53,11 @@ pub enum RenderError {
         /// How many there are.
         triangles: usize,
     },
+    /// Triangles that hide and pierce each other too often for the painter's algorithm.
+    #[error(
+        "the painter's algorithm gave up: too many triangles lie in one place or pass through each other; use zbuffer or raytrace"
+    )]
+    TooEntangled,
     /// A setting out of range.
     #[error("{name} is {value}; it must be from {least} to {greatest}")]
     Setting {

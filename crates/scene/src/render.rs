@@ -179,6 +179,9 @@ fn rasterized(
         highlight: settings.highlight,
     };
     let frame = shading::render(&world, pipeline, settings.shading, visibility);
+    if frame.painter.as_ref().is_some_and(|report| report.gave_up) {
+        return Err(RenderError::TooEntangled);
+    }
     notes.extend(frame.painter.as_ref().and_then(painters_note));
     if prepared.has_optics() && settings.show == Show::Color {
         notes.push(format!(

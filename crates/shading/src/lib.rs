@@ -27,7 +27,7 @@ pub use frame::{Frame, PainterReport, Visible};
 pub use mode::{Shading, Surface};
 pub use normals::{CREASE_ANGLE, vertex_normals, with_vertex_normals};
 pub use plain::render_plain;
-pub use render::{Visibility, render};
+pub use render::{MOST_COMPARISONS, Visibility, render};
 pub use world::{Lighting, Object, World};
 
 #[cfg(doctest)]

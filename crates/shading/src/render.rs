@@ -4,7 +4,7 @@ use canvas::Rgb;
 use rayon::prelude::*;
 use transforms::Pipeline;
 use zbuffer::depth_buffer::DepthBand;
-use zbuffer::{DepthBuffer, DepthFormat, Fragment, painter};
+use zbuffer::{DepthBuffer, DepthFormat, Fragment, ScreenTriangle, painter};
 
 use crate::projected::{Batch, Projected, in_batches, overlap};
 use crate::{Facet, Frame, Lighting, Object, PainterReport, Shading, Surface, Visible, World};
@@ -73,6 +73,9 @@ pub fn render(world: &World, pipeline: &Pipeline, shading: Shading, visibility: 
     frame
 }
 
+/// How many pairs of polygons the painter's algorithm compares before it gives up: a few seconds' work.
+pub const MOST_COMPARISONS: u64 = 30_000_000;
+
 /// How many rows a thread draws at a time: few enough to share out evenly, enough that most small triangles lie in one band.
 const ROWS_IN_A_BAND: u32 = 16;
 
@@ -125,14 +128,22 @@ fn paint(world: &World, pipeline: &Pipeline, frame: &mut Frame) {
             triangles.push(t.on_screen);
         }
     });
-    let plan = painter::plan(&triangles);
+    let plan = painter::plan_within(&triangles, MOST_COMPARISONS);
+    let gave_up = plan.is_none();
+    let plan = plan.unwrap_or_else(|| by_depth(&triangles));
     painter::for_each_fragment(&plan, &triangles, pipeline.width(), pipeline.height(), |k, fragment| {
         let pixel = frame.index(fragment.i, fragment.j);
         frame.visible[pixel] = Some(Visible::of_fragment(names[k], &fragment));
         frame.shaded[pixel] += 1;
     });
     let cycles = plan.cycles.iter().map(|cycle| cycle.polygons.iter().map(|k| names[*k]).collect()).collect();
-    frame.painter = Some(PainterReport { cycles, splits: plan.splits });
+    frame.painter = Some(PainterReport { cycles, splits: plan.splits, gave_up });
+}
+
+/// The slide's order, which may be wrong.
+fn by_depth(triangles: &[ScreenTriangle]) -> painter::Plan {
+    let pieces = painter::order_by_depth(triangles).into_iter().map(painter::Piece::whole).collect();
+    painter::Plan { pieces, cycles: Vec::new(), splits: 0 }
 }
 
 /// Step 3: colours and normals of what is visible, row by row.

@@ -9,6 +9,7 @@
 
 mod all_pairs;
 mod boxes;
+mod budget;
 mod clipping;
 mod cycle;
 mod draw;
@@ -28,5 +29,5 @@ pub use cycle::OcclusionCycle;
 pub use draw::for_each_fragment;
 pub use order::{order, order_by_depth};
 pub use piece::{Cut, Piece, Side};
-pub use plan::{Plan, plan};
+pub use plan::{Plan, plan, plan_within};
 pub use relation::{DEPTH_TOLERANCE, Relation, relation};

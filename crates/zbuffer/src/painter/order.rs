@@ -1,6 +1,7 @@
 //! In which order do polygons draw the right picture? From back to front, where "back" is decided pair by pair.
 
 use super::boxes::Boxes;
+use super::budget::Budget;
 use super::cycle::OcclusionCycle;
 use super::facet::{Bounds, Facet};
 use super::relation::{Relation, relation_of_facets};
@@ -52,8 +53,16 @@ pub fn order_by_depth(triangles: &[ScreenTriangle]) -> Vec<usize> {
 /// # Ok::<(), painter::OcclusionCycle>(())
 /// ```
 pub fn order(triangles: &[ScreenTriangle]) -> Result<Vec<usize>, OcclusionCycle> {
+    order_within(triangles, &Budget::unlimited())
+}
+
+/// [`order`], or anything at all once the budget is spent.
+pub(super) fn order_within(
+    triangles: &[ScreenTriangle],
+    budget: &Budget,
+) -> Result<Vec<usize>, OcclusionCycle> {
     let facets: Vec<_> = triangles.iter().map(Facet::new).collect();
-    let mut canvas = Canvas::new(&facets);
+    let mut canvas = Canvas::new(&facets, budget);
     for first in order_by_depth(triangles) {
         canvas.draw_after_all_behind(first)?;
     }
@@ -63,6 +72,7 @@ pub fn order(triangles: &[ScreenTriangle]) -> Result<Vec<usize>, OcclusionCycle>
 /// What has been drawn, and what has not.
 struct Canvas<'a> {
     facets: &'a [Option<Facet>],
+    budget: &'a Budget,
     /// The boxes of what is not drawn yet.
     boxes: Boxes,
     drawn: Vec<usize>,
@@ -79,10 +89,11 @@ struct Waiting {
 }
 
 impl<'a> Canvas<'a> {
-    fn new(facets: &'a [Option<Facet>]) -> Self {
+    fn new(facets: &'a [Option<Facet>], budget: &'a Budget) -> Self {
         let bounds: Vec<_> = facets.iter().map(|facet| Some(facet.as_ref()?.bounds())).collect();
         Self {
             facets,
+            budget,
             boxes: Boxes::new(&bounds),
             drawn: Vec::with_capacity(facets.len()),
             is_drawn: vec![false; facets.len()],
@@ -134,6 +145,9 @@ impl<'a> Canvas<'a> {
         let front = self.facets[waiting.polygon].as_ref()?;
         loop {
             let candidate = self.boxes.next_behind(&waiting.bounds, &mut waiting.cursor)?;
+            if !self.budget.pay(1) {
+                return None;
+            }
             let back = self.facets[candidate].as_ref()?;
             let hides = || matches!(relation_of_facets(back, front), Relation::Behind | Relation::Piercing);
             if candidate != waiting.polygon && hides() {
@@ -150,8 +164,9 @@ impl<'a> Canvas<'a> {
             let mut search = bounds.map(|bounds| Waiting { polygon: front, bounds, cursor: 0 });
             std::iter::from_fn(move || self.next_behind(search.as_mut()?))
         };
-        let cycle = OcclusionCycle::shortest_through(polygon, all_behind)
-            .expect("a polygon that waits for itself is on a cycle");
+        let cycle = // Only a spent budget can hide the way back; then nobody looks at the answer.
+        OcclusionCycle::shortest_through(polygon, all_behind)
+            .unwrap_or_else(|| OcclusionCycle { polygons: vec![polygon] });
         cycle.piercing_pair(|a, b| self.pierce(a, b)).unwrap_or(cycle)
     }
 

@@ -51,8 +51,9 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 const NO_COLUMNS: RangeInclusive<i64> = 1..=0;
 
 impl Piece {
-    /// The whole triangle.
-    pub(super) fn whole(triangle: usize) -> Self {
+    /// The whole triangle, by its index.
+    #[must_use]
+    pub fn whole(triangle: usize) -> Self {
         Self { triangle, cuts: Vec::new() }
     }
 

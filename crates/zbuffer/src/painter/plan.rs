@@ -2,12 +2,14 @@
 
 use std::sync::Arc;
 
+use super::budget::Budget;
 use super::cycle::OcclusionCycle;
 use super::facet::Facet;
 use super::graph::Graph;
-use super::order::order;
+use super::order::order_within;
 use super::part::{Part, Position};
 use super::piece::Piece;
+use super::relation::Relation;
 use crate::screen::ScreenTriangle;
 
 /// What to draw over what, so that each pixel shows the nearest triangle. Made by [`plan`].
@@ -31,19 +33,35 @@ pub struct Plan {
 /// pieces that grows with the square of theirs, as the picture itself can.
 ///
 /// # Panics
-/// As [`order`].
+/// As [`order`](super::order()).
 #[must_use]
 pub fn plan(triangles: &[ScreenTriangle]) -> Plan {
-    match order(triangles) {
+    plan_within(triangles, u64::MAX).expect("nobody lives to see 2^64 comparisons")
+}
+
+/// The same plan as [`plan`] gives, or `None` if it takes more than so many comparisons of two polygons: many that lie in
+/// one place, or that all pass through each other.
+///
+/// # Panics
+/// As [`order`](super::order()).
+#[must_use]
+pub fn plan_within(triangles: &[ScreenTriangle], most_comparisons: u64) -> Option<Plan> {
+    let budget = Budget::new(most_comparisons);
+    let order = order_within(triangles, &budget);
+    if budget.is_spent() {
+        return None;
+    }
+    let plan = match order {
         Ok(order) => {
             Plan { pieces: order.into_iter().map(Piece::whole).collect(), cycles: Vec::new(), splits: 0 }
         }
-        Err(cycle) => plan_with_cuts(triangles, cycle),
-    }
+        Err(cycle) => plan_with_cuts(triangles, cycle, &budget),
+    };
+    (!budget.is_spent()).then_some(plan)
 }
 
-fn plan_with_cuts(triangles: &[ScreenTriangle], first_cycle: OcclusionCycle) -> Plan {
-    let mut untangling = Untangling::default();
+fn plan_with_cuts(triangles: &[ScreenTriangle], first_cycle: OcclusionCycle, budget: &Budget) -> Plan {
+    let mut untangling = Untangling { pieces: Vec::new(), splits: 0, budget };
     let mut parts = Vec::new();
     for (k, triangle) in triangles.iter().enumerate() {
         match Facet::new(triangle) {
@@ -52,7 +70,7 @@ fn plan_with_cuts(triangles: &[ScreenTriangle], first_cycle: OcclusionCycle) -> 
             None => untangling.pieces.push(Piece::whole(k)),
         }
     }
-    let graph = graph_of(&parts);
+    let graph = graph_of(&parts, budget);
     let cycles = graph.as_ref().map_or_else(|| vec![first_cycle], |graph| cycles(&parts, graph));
     untangling.draw(untangled(parts, graph));
     Plan { pieces: untangling.pieces, cycles, splits: untangling.splits }
@@ -71,10 +89,15 @@ fn cycles(parts: &[Part], graph: &Graph) -> Vec<OcclusionCycle> {
     pairs.chain(others).map(named).collect()
 }
 
+/// What comparing two parts, which are polygons, costs in comparisons of two triangles.
+const PRICE_OF_PARTS: usize = 4;
+
 /// Who hides whom; `None` if it is too large to keep.
-fn graph_of(parts: &[Part]) -> Option<Graph> {
+fn graph_of(parts: &[Part], budget: &Budget) -> Option<Graph> {
     let bounds: Vec<_> = parts.iter().map(Part::bounds).collect();
-    Graph::new(&bounds, |a, b| parts[a].relation(&parts[b]))
+    Graph::new(&bounds, |a, b| {
+        if budget.pay(PRICE_OF_PARTS) { parts[a].relation(&parts[b]) } else { Relation::Free }
+    })
 }
 
 /// What remains to be done, the next at the end.
@@ -88,13 +111,13 @@ enum Task {
 }
 
 /// The pieces so far.
-#[derive(Default)]
-struct Untangling {
+struct Untangling<'a> {
     pieces: Vec<Piece>,
     splits: usize,
+    budget: &'a Budget,
 }
 
-impl Untangling {
+impl Untangling<'_> {
     /// Does all tasks. Where parts form a cycle, the plane of one of them divides the others.
     ///
     /// It ends: no two parts in a task belong to the same triangle, as a cut puts one half before the plane and one
@@ -102,9 +125,12 @@ impl Untangling {
     /// are at most n divisions.
     fn draw(&mut self, mut tasks: Vec<Task>) {
         while let Some(task) = tasks.pop() {
+            if self.budget.is_spent() {
+                return;
+            }
             match task {
                 Task::Untangle(parts) => {
-                    let graph = graph_of(&parts);
+                    let graph = graph_of(&parts, self.budget);
                     tasks.extend(untangled(parts, graph));
                 }
                 Task::Divide(parts) => tasks.extend(self.divided(parts)),
@@ -116,6 +142,8 @@ impl Untangling {
     /// What lies behind the plane of one of the parts, this part, and what lies before it; in reverse, as the last is
     /// done first. Nothing behind a plane hides anything before it.
     fn divided(&mut self, mut parts: Vec<Part>) -> [Task; 3] {
+        // Each part is held against every candidate and then against the root.
+        self.budget.pay((CANDIDATES + 1) * parts.len());
         let root = parts.remove(best_root(&parts));
         let (mut behind, mut before) = (Vec::new(), Vec::new());
         for part in parts {
@@ -173,6 +201,19 @@ mod tests {
         let plan = plan(&[flat(0.3), flat(-0.2), flat(0.1)]);
         assert_eq!(plan.pieces.iter().map(|piece| piece.triangle).collect::<Vec<_>>(), [1, 2, 0]);
         assert!(plan.cycles.is_empty() && plan.splits == 0);
+    }
+
+    #[test]
+    fn too_much_work_is_declined_and_enough_is_done() {
+        let fan: Vec<_> = (0..40)
+            .map(|k| {
+                let x = k as f32;
+                triangle([[0.0, x, 0.75], [40.0, 40.0 - x, -0.5], [x, 40.0, 0.1 * (x / 40.0)]])
+            })
+            .collect();
+        assert!(plan_within(&fan, 10).is_none());
+        assert!(plan_within(&fan, 2_000).is_none(), "the order fails soon, but the cuts take more");
+        assert_eq!(plan_within(&fan, 100_000_000), Some(plan(&fan)));
     }
 
     #[test]
