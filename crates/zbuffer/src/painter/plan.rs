@@ -80,8 +80,17 @@ fn plan_with_cuts(triangles: &[ScreenTriangle], first_cycle: OcclusionCycle, bud
 fn cycles(parts: &[Part], graph: &Graph) -> Vec<OcclusionCycle> {
     let pairs = graph.piercing_pairs().into_iter().map(|(a, b)| OcclusionCycle { polygons: vec![a, b] });
     let rest = graph.without_piercing_pairs();
-    let shortest = |group: Vec<usize>| OcclusionCycle::shortest_through(group[0], |front| rest.behind(front));
-    let others = rest.components().into_iter().filter_map(shortest);
+    let groups: Vec<_> = rest.components().into_iter().filter(|group| group.len() > 1).collect();
+    let mut group_of = vec![usize::MAX; parts.len()];
+    for (k, group) in groups.iter().enumerate() {
+        group.iter().for_each(|member| group_of[*member] = k);
+    }
+    let shortest = |(k, group): (usize, &Vec<usize>)| {
+        // A cycle never leaves its group: no need to look at the rest of the scene for each of them.
+        let within = |front| rest.behind(front).filter(|back| group_of[*back] == k);
+        OcclusionCycle::shortest_through(group[0], within)
+    };
+    let others: Vec<_> = groups.iter().enumerate().filter_map(shortest).collect();
     // The graph counts parts; triangles without area are not among them.
     let name = |k: usize| parts[k].triangle();
     let named =
