@@ -18,17 +18,17 @@ pub struct Plan {
     /// Triangles and parts of triangles, from back to front. Together they have each pixel of each triangle once.
     pub pieces: Vec<Piece>,
     /// What made cuts necessary: every pair of triangles that pass through each other, then a shortest cycle for each
-    /// group of other triangles that hide each other in cycles (L14). Empty if [`order`] finds an order. If there are
+    /// group of other triangles that hide each other in cycles (L14). Empty if [`order`](super::order()) finds an order. If there are
     /// too many overlaps to keep (four million), only the first cycle that was found.
     pub cycles: Vec<OcclusionCycle>,
     /// How many times a triangle or a part of one was cut in two.
     pub splits: usize,
 }
 
-/// A drawing order that always exists: where [`order`] meets a cycle or triangles that pass through each other, polygons
+/// A drawing order that always exists: where [`order`](super::order()) meets a cycle or triangles that pass through each other, polygons
 /// are cut along the planes of others (Newell).
 ///
-/// Without cycles the pieces are the whole triangles, in the order of [`order`]. Only triangles on cycles are cut, and
+/// Without cycles the pieces are the whole triangles, in the order of [`order`](super::order()). Only triangles on cycles are cut, and
 /// only if they reach through the plane that cuts. Triangles that all pass through each other still give a number of
 /// pieces that grows with the square of theirs, as the picture itself can.
 ///
