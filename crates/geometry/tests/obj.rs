@@ -58,7 +58,7 @@ fn with_mtl(mtl: &str) -> Result<Import, ObjError> {
 
 #[test]
 fn groups_become_one_mesh_with_a_material_for_each_triangle() {
-    let Import { mesh, materials, warnings } = import(KITCHEN).unwrap();
+    let Import { mesh, materials, warnings, .. } = import(KITCHEN).unwrap();
     let names: Vec<_> = (0..mesh.len()).map(|k| materials[mesh.material(k) as usize].name.as_str()).collect();
     // A quad gives two triangles, the pentagon three.
     assert_eq!(names, ["wood", "wood", "dark", "dark", "dark", "wood"]);
@@ -66,6 +66,23 @@ fn groups_become_one_mesh_with_a_material_for_each_triangle() {
     assert_eq!(mesh.positions().len(), 9, "points are shared across groups");
     assert_eq!(mesh.triangle(0).b, vec3(4.0, 0.0, 0.0));
     assert!(warnings.is_empty(), "{warnings:?}");
+}
+
+#[test]
+fn mesh_far_away_keeps_its_shape_to_the_last_digit() {
+    // Coordinates of a map in metres: f32 has steps of half a metre there.
+    let far = "v 5432100.125 48000.5 -7654321.25\nv 5432101.375 48000.5 -7654321.25\nv 5432100.125 48002.75 -7654320.5\nf 1 2 3\n";
+    let Import { mesh, origin, .. } = import(far).unwrap();
+    let corners = mesh.triangle(0).corners();
+    assert_eq!(
+        (corners[1] - corners[0], corners[2] - corners[0]),
+        (vec3(1.25, 0.0, 0.0), vec3(0.0, 2.25, 0.75))
+    );
+    assert_eq!(origin + corners[0].as_dvec3(), glam::dvec3(5432100.125, 48000.5, -7654321.25));
+    // Where nothing is lost nothing is moved; and a vertex of no face has no say.
+    let near = "v 10 20 30\nv 12 20 30\nv 10 25 30\nv 1e30 -1e30 0\nf 1 2 3\n";
+    let import = import(near).unwrap();
+    assert_eq!((import.origin, import.mesh.triangle(0).a), (glam::DVec3::ZERO, vec3(10.0, 20.0, 30.0)));
 }
 
 #[test]

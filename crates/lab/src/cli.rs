@@ -106,8 +106,9 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "NAME", value_parser = named::<Shading>())]
     pub(crate) shading: Option<Shading>,
 
-    /// Width and height of each renderer's picture, in pixels: 640x480, say
-    #[arg(long, value_name = "WxH", value_parser = size)]
+    /// Width and height of each renderer's picture, in pixels: 640x480, say; each at most 16384, and all pictures together
+    /// at most 67 million pixels
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = size)]
     pub(crate) size: Option<(u32, u32)>,
 
     /// What to show of the visible surface

@@ -62,7 +62,9 @@ impl From<RenderError> for Failure {
             RenderError::Setting { .. } | RenderError::TooManyPixels { .. } => {
                 "change it with --size, --samples or --max-depth, or in the scene file"
             }
-            RenderError::TooManyToPaint { .. } => "choose another renderer: --renderer zbuffer, say",
+            RenderError::TooManyToPaint { .. } | RenderError::TooEntangled => {
+                "choose another renderer: --renderer zbuffer, say"
+            }
             _ => "change the scene file",
         };
         Self::new(error.to_string(), remedy)

@@ -1,13 +1,13 @@
 //! `cargo lab render`: how does this scene look?
 
 use std::ffi::OsString;
-use std::fmt::Write;
+use std::fmt::{self, Write};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use canvas::{Image, Rgb, codec, side_by_side};
-use scene::{Builtin, Loaded, Named, Prepared, Rendered, Renderer, Settings, builtin};
+use scene::{Builtin, Loaded, Named, Prepared, RenderError, Rendered, Renderer, Settings, builtin};
 
 use crate::cli::{Outcome, RenderArgs};
 use crate::failure::Failure;
@@ -39,13 +39,27 @@ pub(crate) fn run(asked: &RenderArgs) -> Result<Outcome, Failure> {
     let settings = settings(asked, loaded.scene.settings);
     let renderers = asked.renderer.map_or(ALL_RENDERERS.to_vec(), |one| vec![one]);
     check_row(settings.size, renderers.len())?;
-    let pictures = with_threads(asked.threads, || draw_all(&loaded, &settings, &renderers))??;
+    let mut said = Ok(());
+    let drawn = with_threads(asked.threads, || draw_all(&loaded, &settings, &renderers, &mut said))?;
+    let pictures = drawn.map_err(|error| failure(error, &source))?;
 
     let pictures: Vec<&Image> = pictures.iter().collect();
     let row = side_by_side(&pictures, GAP, GAP_COLOR);
     let bytes = target.write(&row)?;
-    say(&report(&target, &row, bytes, &renderers))?;
+    // The picture is what was asked for: that nobody could be told of it is a failure, but no reason to lose it.
+    said.and(say(&report(&target, &row, bytes, &renderers)))?;
     Ok(Outcome::Done)
+}
+
+/// Why there is no picture, with the name of the scene where its content is to blame.
+fn failure(error: RenderError, source: &Source) -> Failure {
+    let is_of_scene = !matches!(
+        error,
+        RenderError::Scene(_) | RenderError::Setting { .. } | RenderError::TooManyPixels { .. }
+    );
+    let failure = Failure::from(error);
+    let problem = if is_of_scene { format!("{source}: {}", failure.problem) } else { failure.problem };
+    Failure { problem, ..failure }
 }
 
 /// Where the scene comes from.
@@ -99,6 +113,15 @@ impl Source {
     }
 }
 
+impl fmt::Display for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Builtin(builtin) => f.write_str(builtin.name),
+            Self::File(path) => path.display().fmt(f),
+        }
+    }
+}
+
 /// The scene's settings, except what was asked for.
 fn settings(asked: &RenderArgs, scene: Settings) -> Settings {
     Settings {
@@ -118,13 +141,19 @@ fn check_row((width, height): (u32, u32), pictures: usize) -> Result<(), Failure
     if pixels <= codec::MOST_PIXELS {
         return Ok(());
     }
-    Err(Failure::new(
-        format!(
-            "{pictures} pictures of {width} × {height} pixels are too large: side by side they may have {} pixels",
-            codec::MOST_PIXELS
+    let most = codec::MOST_PIXELS;
+    Err(match pictures {
+        1 => Failure::new(
+            format!("{width} × {height} pixels are too many: a picture may have {most}"),
+            "choose a smaller --size",
         ),
-        "choose a smaller --size, or one --renderer",
-    ))
+        _ => Failure::new(
+            format!(
+                "{pictures} pictures of {width} × {height} pixels are too large: side by side they may have {most} pixels"
+            ),
+            "choose a smaller --size, or one --renderer",
+        ),
+    })
 }
 
 /// Does the work with so many threads; without a number, with one for each processor.
@@ -139,25 +168,35 @@ fn with_threads<T: Send>(threads: Option<u32>, work: impl FnOnce() -> T + Send) 
     Ok(pool.install(work))
 }
 
-/// One picture a renderer, each announced when it is there.
-fn draw_all(loaded: &Loaded, settings: &Settings, renderers: &[Renderer]) -> Result<Vec<Image>, Failure> {
+/// One picture a renderer, each announced when it is there; `said` keeps the first failure to do so.
+fn draw_all(
+    loaded: &Loaded,
+    settings: &Settings,
+    renderers: &[Renderer],
+    said: &mut Result<(), Failure>,
+) -> Result<Vec<Image>, RenderError> {
+    let mut tell = |text: &str| {
+        if said.is_ok() {
+            *said = say(text);
+        }
+    };
     let prepared = scene::prepare(loaded)?;
     let mut pictures = Vec::new();
     for &renderer in renderers {
         let (rendered, time) = draw(&prepared, &Settings { renderer, ..*settings })?;
         let (width, height) = settings.size;
-        say(&format!("{renderer:10}{width} × {height} pixels in {}", readable(time)))?;
+        tell(&format!("{renderer:10}{width} × {height} pixels in {}", readable(time)));
         for note in &rendered.notes {
             // The line above says whose note it is.
             let note = note.strip_prefix(&format!("{renderer}: ")).unwrap_or(note);
-            say(&format!("{:10}{note}", ""))?;
+            tell(&format!("{:10}{note}", ""));
         }
         pictures.push(rendered.image);
     }
     Ok(pictures)
 }
 
-fn draw(prepared: &Prepared, settings: &Settings) -> Result<(Rendered, Duration), Failure> {
+fn draw(prepared: &Prepared, settings: &Settings) -> Result<(Rendered, Duration), RenderError> {
     let progress = Progress::start(settings.renderer.name());
     let rendered = scene::render(prepared, settings, &|share| progress.reached(share));
     let time = progress.finish();

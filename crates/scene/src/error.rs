@@ -47,7 +47,7 @@ pub enum RenderError {
     },
     /// More than [`MOST_PAINTED`] triangles for the painter's algorithm.
     #[error(
-        "the painter's algorithm compares triangles in pairs and takes at most {MOST_PAINTED}; the scene has {triangles}: use zbuffer or raytrace"
+        "the painter's algorithm compares triangles in pairs and takes at most {MOST_PAINTED}; the scene has {triangles}"
     )]
     TooManyToPaint {
         /// How many there are.
@@ -55,7 +55,7 @@ pub enum RenderError {
     },
     /// Triangles that hide and pierce each other too often for the painter's algorithm.
     #[error(
-        "the painter's algorithm gave up: too many triangles lie in one place or pass through each other; use zbuffer or raytrace"
+        "the painter's algorithm gave up: too many triangles lie in one place or pass through each other"
     )]
     TooEntangled,
     /// A setting out of range.

@@ -9,7 +9,7 @@ use zbuffer::clip::GREATEST_SIDE as GREATEST_SCREEN;
 use crate::limits::{
     GREATEST_DEPTH, GREATEST_SAMPLES, GREATEST_SIDE, MOST_PAINTED, MOST_PIXELS, MOST_SAMPLES,
 };
-use crate::show::{self, Seen};
+use crate::show::{self, Loop, Seen};
 use crate::{Prepared, RenderError, Renderer, Settings, Show};
 
 /// A picture and what is to be said about it.
@@ -50,6 +50,7 @@ pub fn render(
     settings.check()?;
     let (width, height) = settings.size;
     let mut notes = Vec::new();
+    let mut is_empty = false;
     let image = match (settings.renderer, settings.show) {
         (Renderer::Raytrace, Show::Color) => {
             trace(prepared, settings, &prepared.pipeline(width, height)?, progress)?
@@ -59,8 +60,10 @@ pub fn render(
             let world = traced_world(prepared, settings)?;
             let hits = raytrace::visible(&world, &pipeline);
             let seen =
-                hits.iter().map(|hit| hit.as_ref().map(|hit| Seen::hit(&world, &pipeline, hit))).collect();
-            show::picture(settings.show, (width, height), seen, &mut notes)
+                |hit: &Option<raytrace::Hit>| hit.as_ref().map(|hit| Seen::hit(&world, &pipeline, hit));
+            let seen: Vec<Option<Seen>> = hits.iter().map(seen).collect();
+            is_empty = seen.iter().all(Option::is_none);
+            show::picture(settings.show, (width, height), &seen, Loop::Pixels, &mut notes)
         }
         (_, Show::Color) => {
             let n = settings.samples;
@@ -70,9 +73,20 @@ pub fn render(
         }
         (_, _) => {
             let frame = rasterized(prepared, settings, &prepared.pipeline(width, height)?, &mut notes)?;
-            show::picture(settings.show, (width, height), Seen::all(&frame), &mut notes)
+            let seen = Seen::all(&frame);
+            is_empty = seen.iter().all(Option::is_none);
+            show::picture(settings.show, (width, height), &seen, Loop::Objects, &mut notes)
         }
     };
+    if settings.show == Show::Color {
+        is_empty = image.pixels().iter().all(|pixel| *pixel == prepared.background);
+    }
+    if is_empty {
+        notes.push(format!(
+            "{}: every pixel is background; is anything before the camera, and has it an area?",
+            settings.renderer
+        ));
+    }
     progress(1.0);
     Ok(Rendered { image, notes })
 }

@@ -26,6 +26,15 @@ pub(crate) struct Seen {
     shaded: u32,
 }
 
+/// What counts as work in vain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Loop {
+    /// For each object, each of its pixels (L21): a colour is computed for all that is not hidden yet.
+    Objects,
+    /// For each pixel, its ray.
+    Pixels,
+}
+
 impl Seen {
     /// What each pixel of a rasterizer's frame shows.
     pub(crate) fn all(frame: &Frame) -> Vec<Option<Self>> {
@@ -62,16 +71,17 @@ impl Seen {
 pub(crate) fn picture(
     show: Show,
     (width, height): (u32, u32),
-    seen: Vec<Option<Seen>>,
+    seen: &[Option<Seen>],
+    order: Loop,
     notes: &mut Vec<String>,
 ) -> Image {
     let numbers = match show {
-        Show::Depth => depth((width, height), &seen),
-        Show::Normals | Show::Color => pixels(&seen, |seen| 0.5 * seen.n_world + 0.5),
-        Show::Barycentric => pixels(&seen, barycentric),
+        Show::Depth => depth((width, height), seen),
+        Show::Normals | Show::Color => pixels(seen, |seen| 0.5 * seen.n_world + 0.5),
+        Show::Barycentric => pixels(seen, barycentric),
         Show::Overdraw => {
-            notes.extend(overdraw_note(&seen));
-            pixels(&seen, |seen| ramp(seen.shaded))
+            notes.extend(overdraw_note(seen, order));
+            pixels(seen, |seen| ramp(seen.shaded))
         }
     };
     let decoded = numbers.into_iter().map(|v| v.map(srgb::decode)).collect();
@@ -121,12 +131,18 @@ fn ramp(shaded: u32) -> Vec3 {
     }
 }
 
-fn overdraw_note(seen: &[Option<Seen>]) -> Option<String> {
+fn overdraw_note(seen: &[Option<Seen>], order: Loop) -> Option<String> {
     let counts: Vec<u64> = seen.iter().flatten().map(|seen| u64::from(seen.shaded)).collect();
     let most = counts.iter().max()?;
     let mean = counts.iter().sum::<u64>() as f64 / counts.len() as f64;
+    let who = match order {
+        Loop::Objects => "by the slide's loop over objects",
+        Loop::Pixels => {
+            "by the loop over pixels: a ray finds the nearest surface before any colour is computed"
+        }
+    };
     Some(format!(
-        "overdraw: {mean:.2} colours computed per covered pixel by the slide's loop, {most} at most (blue 1, … white 8 and more)"
+        "overdraw: {mean:.2} colours per covered pixel, {most} at most (blue 1, … white 8 and more), {who}"
     ))
 }
 
@@ -142,7 +158,7 @@ mod tests {
     fn a_png_file_holds_the_numbers_themselves() {
         // n = (0.6, 0, 0.8): 0.5 n + 0.5 = (0.8, 0.5, 0.9), which are steps 204, 127.5 and 229.5 of 255.
         let pixels = vec![seen(Vec3::new(0.6, 0.0, 0.8), 1), None];
-        let image = picture(Show::Normals, (2, 1), pixels, &mut Vec::new());
+        let image = picture(Show::Normals, (2, 1), &pixels, Loop::Objects, &mut Vec::new());
         let [r, g, b] = image.get(0, 0).to_array().map(srgb::to_u8);
         assert_eq!((r, b), (204, 230));
         assert!(g == 127 || g == 128);
@@ -153,7 +169,7 @@ mod tests {
     fn overdraw_counts_what_was_computed_in_vain() {
         let pixels = vec![seen(Vec3::Z, 1), seen(Vec3::Z, 4), None, seen(Vec3::Z, 1)];
         let mut notes = Vec::new();
-        picture(Show::Overdraw, (4, 1), pixels, &mut notes);
+        picture(Show::Overdraw, (4, 1), &pixels, Loop::Objects, &mut notes);
         assert!(notes[0].contains("2.00 colours") && notes[0].contains("4 at most"), "{}", notes[0]);
     }
 
@@ -161,7 +177,7 @@ mod tests {
     fn rows_come_out_the_right_way_up() {
         let near = Some(Seen { z: 0.9, n_world: Vec3::Z, weights: None, shaded: 1 });
         let far = Some(Seen { z: -0.9, n_world: Vec3::Z, weights: None, shaded: 1 });
-        let image = picture(Show::Depth, (1, 2), vec![near, far], &mut Vec::new());
+        let image = picture(Show::Depth, (1, 2), &[near, far], Loop::Objects, &mut Vec::new());
         assert!(image.get(0, 1).x > image.get(0, 0).x);
     }
 }

@@ -123,8 +123,9 @@ fn box_text(scale: f64, offset: f64) -> String {
 #[test]
 fn a_bare_mesh_fills_the_picture_whatever_its_size_and_place() {
     let mut counts = Vec::new();
-    // The last ones lie so far away that f32 leaves their sides a few dozen steps.
-    for (scale, offset) in [(1.0, 0.0), (1e-20, 0.0), (1e20, 0.0), (1.0, 300.0), (1e-20, 1e-16), (1e20, 1e24)]
+    // The last ones lie so far away that f32 could not tell their corners apart.
+    for (scale, offset) in
+        [(1.0, 0.0), (1e-20, 0.0), (1e20, 0.0), (1.0, 300.0), (1.0, 1e9), (1e-20, 1e-12), (1e20, 1e29)]
     {
         let folder = folder(&[("box.obj", &box_text(scale, offset))]);
         let loaded = load(&folder.path().join("box.obj")).unwrap();
@@ -135,8 +136,25 @@ fn a_bare_mesh_fills_the_picture_whatever_its_size_and_place() {
     // 32 × 24 pixels; 86 % of a side are filled, and a box fills about half of the rectangle around it.
     let (least, most) = (*counts.iter().min().unwrap(), *counts.iter().max().unwrap());
     assert!(least > 200 && most < 600, "{counts:?}");
-    // Rounding moves the corners of the far ones by up to 1/60 of a side, a pixel or so along the outline.
-    assert!(most - least < 60, "{counts:?}");
+    // The shape is the same to the last digits of f32; only a pixel centre on an outline could change sides.
+    assert!(most - least <= 3, "{counts:?}");
+}
+
+#[test]
+fn a_picture_of_another_shape_loses_nothing_at_its_sides() {
+    let loaded = builtin::find("exponent-strip").unwrap().load().unwrap();
+    let (width, height) = loaded.scene.settings.size;
+    let balls = |size| {
+        let settings = Settings { renderer: Renderer::ZBuffer, size, samples: 1, ..loaded.scene.settings };
+        let image = render(&prepare(&loaded).unwrap(), &settings, &|_| ()).unwrap().image;
+        // Along the middle row, so many times a ball begins.
+        let row: Vec<bool> =
+            (0..size.0).map(|i| image.get(i, size.1 / 2) != loaded.scene.background).collect();
+        (!row[0] && !row[row.len() - 1], row.windows(2).filter(|pair| !pair[0] && pair[1]).count())
+    };
+    for size in [(width, height), (160, 120), (300, 300), (100, 400), (800, 60)] {
+        assert_eq!(balls(size), (true, 6), "{size:?}");
+    }
 }
 
 #[test]
@@ -164,11 +182,14 @@ fn a_mesh_in_one_point_is_an_error() {
 }
 
 #[test]
-fn a_line_of_triangles_is_drawn_as_nothing_but_without_a_panic() {
+fn a_line_of_triangles_is_drawn_as_nothing_and_said_to_be() {
     let folder = folder(&[("line.obj", "v 0 0 0\nv 1 2 3\nv 2 4 6\nf 1 2 3\n")]);
     let loaded = load(&folder.path().join("line.obj")).unwrap();
     for renderer in [Renderer::ZBuffer, Renderer::Painter, Renderer::Raytrace] {
         assert_eq!(covered(&loaded, renderer), 0);
+        let settings = Settings { renderer, size: (16, 12), ..loaded.scene.settings };
+        let notes = render(&prepare(&loaded).unwrap(), &settings, &|_| ()).unwrap().notes;
+        assert!(notes.iter().any(|note| note.contains("every pixel is background")), "{notes:?}");
     }
 }
 

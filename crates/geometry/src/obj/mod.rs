@@ -20,7 +20,7 @@ mod text;
 pub use material::ObjMaterial;
 pub use message::{ObjError, ObjWarning};
 
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 
 use crate::{Indexed, Mesh};
 use message::Warnings;
@@ -30,9 +30,13 @@ use scan::Scan;
 /// A mesh and its materials.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Import {
-    /// All triangles of the file, in its order. A corner without a normal has the zero normal, so that
+    /// All triangles of the file, in its order, its positions less [`Self::origin`]. A corner without a normal has the zero normal, so that
     /// [`Mesh::corner_normals`] gives `None` there; a corner without texture coordinates has (0, 0).
     pub mesh: Mesh,
+    /// Where the file has what the mesh has at (0, 0, 0). Not zero only if the file's mesh lies farther from its origin
+    /// than 64 times its size, as maps and scans do: positions are f32, which there could not tell its vertices apart.
+    /// Add it in f64.
+    pub origin: DVec3,
     /// The materials that [`Mesh::material`] points to. Number 0 is always the default, for faces without a material.
     pub materials: Vec<ObjMaterial>,
     /// What was left out or replaced, in the order of the file.
@@ -76,7 +80,7 @@ pub fn parse(
     let materials =
         polygons.faces.iter().map(|face| scan.faces[*face].material.map_or(0, |used| numbers[used]));
     let mesh = mesh_of(&model, &scan, &polygons.corners, materials.collect())?;
-    Ok(Import { mesh, materials: library.materials, warnings: warnings.into_vec() })
+    Ok(Import { mesh, origin: scan.origin, materials: library.materials, warnings: warnings.into_vec() })
 }
 
 /// Lets tobj read the plain text. The scan has seen to it that there is one model and nothing to refuse.

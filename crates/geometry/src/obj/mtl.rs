@@ -138,9 +138,9 @@ impl Scanner<'_> {
         }
         match keyword {
             "Ka" | "Kd" | "Ks" => self.color(line, keyword, values),
-            "Ns" => self.scalar(line, keyword, values, (0.0, f32::MAX)),
+            "Ns" => self.scalar(line, keyword, values, (0.0, f32::MAX.into())),
             "d" | "Tr" => self.scalar(line, keyword, values, (0.0, 1.0)),
-            "Ni" => self.scalar(line, keyword, values, (f32::MIN_POSITIVE, f32::MAX)),
+            "Ni" => self.scalar(line, keyword, values, (f32::MIN_POSITIVE.into(), f32::MAX.into())),
             "illum" => self.scalar(line, keyword, values, (0.0, 10.0)),
             other => {
                 self.warn(line, format!("{} is left out", quoted(other)));
@@ -178,6 +178,12 @@ impl Scanner<'_> {
         if r < 0.0 || g < 0.0 || b < 0.0 {
             self.warn(line, format!("{keyword} with a negative number is left out"));
         } else {
+            if r > 1.0 || g > 1.0 || b > 1.0 {
+                self.warn(
+                    line,
+                    format!("{keyword} above 1 gives back more light than arrives; it is taken as it stands"),
+                );
+            }
             self.write(format_args!("{keyword} {r} {g} {b}\n"));
         }
         Ok(())
@@ -188,7 +194,7 @@ impl Scanner<'_> {
         line: &Line<'_>,
         keyword: &str,
         values: &[&str],
-        (least, greatest): (f32, f32),
+        (least, greatest): (f64, f64),
     ) -> Result<(), ObjError> {
         let value = match values {
             ["-halo", value] | [value] => number(value, self.file, line.number)?,

@@ -8,6 +8,8 @@
 use std::collections::HashMap;
 use std::fmt::Write;
 
+use glam::{DVec3, Vec3};
+
 use super::indices::{Indices, Kind, Place};
 use super::message::{ObjError, Warnings, quoted};
 use super::text::{self, number};
@@ -16,8 +18,10 @@ use super::text::{self, number};
 pub(super) struct Scan {
     /// The name of the text in messages.
     pub(super) source: String,
-    /// The vertices and faces for tobj.
+    /// The vertices, less `origin`, and faces for tobj.
     pub(super) plain: String,
+    /// What was subtracted from every vertex, so that a mesh far away keeps its digits in f32.
+    pub(super) origin: DVec3,
     /// One entry for each face of the plain text.
     pub(super) faces: Vec<Face>,
     /// The names of used materials, with the first line that uses them.
@@ -56,9 +60,25 @@ impl Scan {
     }
 }
 
+/// A mesh farther from the origin than so many times its own size is moved there: f32 would leave its shape less than
+/// 18 of its 24 bits.
+const FAR: f64 = 64.0;
+
+/// The middle of the box around the points if that is far away for its size, else 0.
+fn origin(points: impl Iterator<Item = DVec3> + Clone) -> DVec3 {
+    let low = points.clone().fold(DVec3::INFINITY, DVec3::min);
+    let high = points.fold(DVec3::NEG_INFINITY, DVec3::max);
+    let (middle, size) = (0.5 * (low + high), (high - low).max_element());
+    if middle.abs().max_element() > FAR * size { middle } else { DVec3::ZERO }
+}
+
 struct Scanner {
     scan: Scan,
     line: usize,
+    /// The vertices as the file has them, already divided by w.
+    vertices: Vec<DVec3>,
+    /// The vertices at the corners of all faces, counted from 1.
+    corners: Vec<u64>,
     indices: Indices,
     material: Option<usize>,
     places: HashMap<String, usize>,
@@ -71,13 +91,22 @@ impl Scanner {
         let scan = Scan {
             source: source.to_owned(),
             plain,
+            origin: DVec3::ZERO,
             faces: Vec::new(),
             used: Vec::new(),
             libraries: Vec::new(),
             has_normals: false,
             has_texture: false,
         };
-        Self { scan, line: 0, indices: Indices::default(), material: None, places: HashMap::new() }
+        Self {
+            scan,
+            line: 0,
+            vertices: Vec::new(),
+            corners: Vec::new(),
+            indices: Indices::default(),
+            material: None,
+            places: HashMap::new(),
+        }
     }
 
     fn statement(&mut self, text: &str, warnings: &mut Warnings) -> Result<(), ObjError> {
@@ -117,13 +146,13 @@ impl Scanner {
             [] | [_, _, _] | [_, _, _, _] => 1.0,
             _ => return Err(self.wrong_count("v", numbers.len())),
         };
-        let p = [x / w, y / w, z / w];
-        if !p.iter().all(|x| x.is_finite()) {
+        let p = DVec3::new(x, y, z) / w;
+        if !p.as_vec3().is_finite() {
             let remedy = "write w = 1 or leave it out";
             return Err(self.error(format!("the vertex divided by its w = {w} is out of range"), remedy));
         }
         self.indices.add(Kind::Vertex);
-        self.write(format_args!("v {} {} {}\n", p[0], p[1], p[2]));
+        self.vertices.push(p);
         Ok(())
     }
 
@@ -158,6 +187,7 @@ impl Scanner {
             self.scan.has_texture |= vt.is_some();
             self.scan.has_normals |= vn.is_some();
             let [v, vt, vn] = [v.unwrap_or(0), after_zeros(vt), after_zeros(vn)];
+            self.corners.push(v);
             self.write(format_args!(" {v}/{vt}/{vn}"));
             corners += 1;
         }
@@ -201,7 +231,7 @@ impl Scanner {
     }
 
     /// Looks at the text as a whole, now that all is counted.
-    fn finish(self) -> Result<Scan, ObjError> {
+    fn finish(mut self) -> Result<Scan, ObjError> {
         self.indices.check_ahead(&self.scan.source)?;
         if self.scan.faces.is_empty() {
             let problem = if self.indices.count(Kind::Vertex) == 0 {
@@ -212,10 +242,22 @@ impl Scanner {
             let remedy = "an OBJ file needs lines such as 'v 0 0 0' and 'f 1 2 3'";
             return Err(ObjError::new(&self.scan.source, None, problem, remedy));
         }
+        self.write_vertices();
         Ok(self.scan)
     }
 
-    fn numbers<'a>(&self, words: impl Iterator<Item = &'a str>) -> Result<Vec<f32>, ObjError> {
+    /// Writes the vertices, last of all, since only now it is known where the mesh lies.
+    fn write_vertices(&mut self) {
+        let used = self.corners.iter().map(|index| self.vertices[*index as usize - 1]);
+        self.scan.origin = origin(used);
+        for p in std::mem::take(&mut self.vertices) {
+            // A vertex that no face uses may lie anywhere.
+            let p = (p - self.scan.origin).clamp(Vec3::MIN.as_dvec3(), Vec3::MAX.as_dvec3());
+            self.write(format_args!("v {} {} {}\n", p.x, p.y, p.z));
+        }
+    }
+
+    fn numbers<'a>(&self, words: impl Iterator<Item = &'a str>) -> Result<Vec<f64>, ObjError> {
         words.map(|word| number(word, &self.scan.source, self.line)).collect()
     }
 

@@ -54,13 +54,13 @@ fn continued(line: &str) -> Option<&str> {
     line.trim_end_matches('\r').strip_suffix('\\')
 }
 
-/// The finite number that `word` is.
-pub(super) fn number(word: &str, file: &str, line: usize) -> Result<f32, ObjError> {
+/// The number that `word` is, within the range of f32 and with the digits of f64.
+pub(super) fn number(word: &str, file: &str, line: usize) -> Result<f64, ObjError> {
     let error = |problem: &str, remedy: &str| {
         ObjError::new(file, Some(line), format!("{} {problem}", quoted(word)), remedy)
     };
-    match word.parse::<f32>() {
-        Ok(value) if value.is_finite() => Ok(value),
+    match word.parse::<f64>() {
+        Ok(value) if (value as f32).is_finite() => Ok(value),
         Ok(value) if value.is_nan() => Err(error("is not a number", "write a finite number such as 0.25")),
         Ok(_) => Err(error("is out of range", "write a number between -3.4e38 and 3.4e38")),
         Err(_) if word.contains(',') => Err(error(

@@ -142,6 +142,14 @@ fn a_full_disk_leaves_the_old_picture() {
 }
 
 #[test]
+#[cfg(target_os = "linux")]
+fn a_picture_is_written_even_if_nobody_can_be_told() {
+    let desk = Desk::new();
+    desk.shell("$LAB render --size 20x15 > /dev/full").refused(&["standard output", "No space left"]);
+    assert_eq!(desk.picture("teapot.png").height(), 15);
+}
+
+#[test]
 fn names_may_hold_blanks_and_other_letters() {
     let desk = Desk::new();
     let name = "mijn theepot é.png";

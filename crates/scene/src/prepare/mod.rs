@@ -20,7 +20,7 @@ pub struct Prepared {
     pub(crate) background: Rgb,
     camera: Camera,
     lens: Lens,
-    /// The size for which a window on the near plane was given; another one changes its width.
+    /// The size for which the camera was described; a picture of another shape sees more.
     size: (u32, u32),
     /// The w-coordinates of nearest and farthest point of all objects, both negative and apart.
     extent: (f32, f32),
@@ -59,24 +59,30 @@ pub fn prepare(loaded: &Loaded) -> Result<Prepared, RenderError> {
 impl Prepared {
     /// The camera with its viewing volume, for a picture of `width` × `height` pixels.
     ///
-    /// A picture of another shape than the scene's sees as much from bottom to top; what it sees from left to right
-    /// follows from its width.
+    /// A picture of another shape than the scene's holds all that the scene's does, and more: a wider one at its sides, a
+    /// narrower one above and below.
     ///
     /// # Errors
     /// [`RenderError`] if there is no pixel, or if the planes are so far apart that the matrices overflow.
     pub fn pipeline(&self, width: u32, height: u32) -> Result<Pipeline, RenderError> {
         let aspect = width as f32 / height.max(1) as f32;
+        let scenes_aspect = self.size.0 as f32 / self.size.1 as f32;
+        // How much wider and how much higher the window is than the scene's.
+        let (wider, higher) = ((aspect / scenes_aspect).max(1.0), (scenes_aspect / aspect).max(1.0));
         let volume = match self.lens {
             Lens::FieldOfView { degrees, near, far } => {
                 let (near, far) = self.planes(near, far);
-                ViewVolume::from_fov_y(degrees.to_radians(), aspect, near, far)?
+                let half = 0.5 * degrees.to_radians();
+                ViewVolume::from_fov_y(2.0 * (higher * half.tan()).atan(), aspect, near, far)?
             }
             Lens::Window(window) => {
-                let widened = aspect * self.size.1 as f32 / self.size.0 as f32;
-                let middle = 0.5 * (window.left + window.right);
+                let x = 0.5 * (window.left + window.right);
+                let y = 0.5 * (window.bottom + window.top);
                 ViewVolume {
-                    left: middle + widened * (window.left - middle),
-                    right: middle + widened * (window.right - middle),
+                    left: x + wider * (window.left - x),
+                    right: x + wider * (window.right - x),
+                    bottom: y + higher * (window.bottom - y),
+                    top: y + higher * (window.top - y),
                     ..window
                 }
             }

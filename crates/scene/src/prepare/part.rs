@@ -2,8 +2,9 @@
 
 use std::sync::{Arc, OnceLock};
 
+use geometry::obj::Import;
 use geometry::{Aabb, Mesh, MeshError, Sphere, shapes};
-use glam::{Mat4, Vec3};
+use glam::{DVec3, Mat4, Vec3};
 use lighting::Material;
 use raytrace::{Surface, TracedMesh};
 
@@ -125,7 +126,7 @@ fn mesh(shape: &Shape, imports: &Imports) -> Result<Mesh, RenderError> {
         Shape::Polygons { polygons } => fans(polygons)?,
         Shape::Obj { path, fit } => {
             let import = imports.get(path).ok_or_else(|| RenderError::NotLoaded { path: path.clone() })?;
-            if *fit { fitted(&import.mesh)? } else { import.mesh.clone() }
+            if *fit { fitted(&import.mesh)? } else { in_place(import)? }
         }
     })
 }
@@ -155,12 +156,14 @@ pub(crate) fn fitted(mesh: &Mesh) -> Result<Mesh, MeshError> {
     let scale = if half_diagonal > 0.0 { half_diagonal.recip() } else { 1.0 };
     // A position that no triangle uses may lie anywhere, also where it overflows; it is never seen.
     let place = |p: &Vec3| (scale * (p.as_dvec3() - center)).as_vec3().clamp(Vec3::MIN, Vec3::MAX);
-    let mut fitted = Mesh::new(mesh.positions().iter().map(place).collect(), mesh.triangles().to_vec())?;
-    if let Some(normals) = mesh.normals() {
-        fitted = fitted.with_normals(normals.clone())?;
+    mesh.clone().with_positions(mesh.positions().iter().map(place).collect())
+}
+
+/// The mesh of a file where the file has it, to the digits that f32 has there.
+fn in_place(import: &Import) -> Result<Mesh, MeshError> {
+    if import.origin == DVec3::ZERO {
+        return Ok(import.mesh.clone());
     }
-    if let Some(coordinates) = mesh.texture_coordinates() {
-        fitted = fitted.with_texture_coordinates(coordinates.clone())?;
-    }
-    fitted.with_materials((0..mesh.len()).map(|k| mesh.material(k)).collect())
+    let place = |p: &Vec3| (import.origin + p.as_dvec3()).as_vec3().clamp(Vec3::MIN, Vec3::MAX);
+    import.mesh.clone().with_positions(import.mesh.positions().iter().map(place).collect())
 }
