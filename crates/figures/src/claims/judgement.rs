@@ -1,0 +1,145 @@
+//! How does a run come to a verdict?
+
+/// What is to be thought of a sentence.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// True for every input that was tried.
+    Holds,
+    /// True where the condition holds, and not always elsewhere.
+    HoldsIf(&'static str),
+    /// Not true, and no condition that the slide could have meant saves it.
+    Refuted,
+}
+
+impl std::fmt::Display for Verdict {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Holds => f.write_str("holds"),
+            Self::HoldsIf(condition) => write!(f, "holds if {condition}"),
+            Self::Refuted => f.write_str("refuted"),
+        }
+    }
+}
+
+/// The sentence tried on one input.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trial {
+    /// Whether the sentence was true of it.
+    pub holds: bool,
+    /// Whether the condition, if there is one, was met; `true` where there is none.
+    pub meets_condition: bool,
+    /// The input and what came out, in numbers.
+    pub numbers: String,
+}
+
+/// What backs a verdict.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Evidence {
+    /// The sentence held in each of so many trials.
+    Law {
+        /// What held.
+        sentence: String,
+        /// In how many trials.
+        trials: usize,
+    },
+    /// Numbers for which the sentence is false.
+    Counterexample {
+        /// Input, the slide's result, and the right one.
+        numbers: String,
+        /// How many of the trials were like that.
+        failures: usize,
+        /// Out of so many.
+        trials: usize,
+    },
+    /// Something measured.
+    Measurement {
+        /// What was measured, and how much it is.
+        numbers: String,
+    },
+}
+
+impl std::fmt::Display for Evidence {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Law { sentence, trials } => write!(f, "{sentence}, in all of {trials} trials"),
+            Self::Counterexample { numbers, failures, trials: 1 } if *failures == 1 => f.write_str(numbers),
+            Self::Counterexample { numbers, failures, trials } => {
+                write!(f, "{numbers} ({failures} of {trials} trials fail)")
+            }
+            Self::Measurement { numbers } => f.write_str(numbers),
+        }
+    }
+}
+
+/// What a run came to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Examination {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// What backs it, the strongest first.
+    pub evidence: Vec<Evidence>,
+}
+
+impl Examination {
+    /// The same with one more piece of evidence.
+    #[must_use]
+    pub fn and(mut self, evidence: Evidence) -> Self {
+        self.evidence.push(evidence);
+        self
+    }
+}
+
+/// The verdict that trials lead to. No failure: it holds. Failures, but none where the condition is met (and it is met
+/// somewhere): it holds if. Otherwise it is refuted. The first failure becomes the counterexample.
+///
+/// # Panics
+/// If there is no trial: nothing follows from nothing.
+#[must_use]
+pub fn judge(sentence: &str, condition: Option<&'static str>, trials: &[Trial]) -> Examination {
+    assert!(!trials.is_empty(), "«{sentence}» was tried on nothing");
+    let failures = trials.iter().filter(|trial| !trial.holds);
+    let count = failures.clone().count();
+    let law = |sentence: String, trials| Evidence::Law { sentence, trials };
+    let Some(first) = failures.clone().next() else {
+        return Examination {
+            verdict: Verdict::Holds,
+            evidence: vec![law(sentence.to_owned(), trials.len())],
+        };
+    };
+    let counterexample =
+        Evidence::Counterexample { numbers: first.numbers.clone(), failures: count, trials: trials.len() };
+    let met = trials.iter().filter(|trial| trial.meets_condition).count();
+    let fails_although_met = failures.clone().any(|trial| trial.meets_condition);
+    match condition {
+        Some(condition) if met > 0 && !fails_although_met => Examination {
+            verdict: Verdict::HoldsIf(condition),
+            evidence: vec![law(format!("{sentence}, if {condition}"), met), counterexample],
+        },
+        _ => Examination { verdict: Verdict::Refuted, evidence: vec![counterexample] },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn trial(holds: bool, meets_condition: bool) -> Trial {
+        Trial { holds, meets_condition, numbers: "x = 7".to_owned() }
+    }
+
+    #[test]
+    fn the_verdict_comes_from_the_trials() {
+        let verdict = |trials: &[Trial]| judge("x is small", Some("x < 5"), trials).verdict;
+        assert_eq!(verdict(&[trial(true, true), trial(true, false)]), Verdict::Holds);
+        assert_eq!(verdict(&[trial(true, true), trial(false, false)]), Verdict::HoldsIf("x < 5"));
+        assert_eq!(verdict(&[trial(false, true), trial(true, false)]), Verdict::Refuted);
+        // A condition that no input meets saves nothing.
+        assert_eq!(verdict(&[trial(false, false)]), Verdict::Refuted);
+    }
+
+    #[test]
+    fn a_counterexample_is_shown_with_its_numbers() {
+        let examination = judge("x is small", None, &[trial(true, true), trial(false, true)]);
+        assert_eq!(examination.evidence[0].to_string(), "x = 7 (1 of 2 trials fail)");
+    }
+}

@@ -1,0 +1,1 @@
+//! How do figures and claims come onto one page?
