@@ -1,0 +1,86 @@
+//! What does a coarse sphere show of its triangles, shaded per vertex and per fragment? (L41)
+
+use scene::{Renderer, Settings};
+use shading::Shading;
+
+use super::studio::{Fault, scene, settings, shot};
+use crate::figure::{Drawing, Drawn, Figure, Text};
+use crate::parameter::{Parameter, Values};
+
+pub(super) static FIGURE: Figure = Figure {
+    numbers: &["L41", "L40", "L42"],
+    name: "coarse-spheres",
+    title: Text { en: "Per-vertex and per-fragment shading", nl: "Per-vertex en per-fragment shading" },
+    caption: Text {
+        en: "Two coarse spheres. Per vertex (Gouraud), the highlight is caught only where a corner happens to lie in it, and fades along the edges. Per fragment (Phong shading), the interpolated normal finds it wherever it is; the outline stays a polygon.",
+        nl: "Twee grove bollen. Per vertex (Gouraud) wordt de highlight alleen gevangen waar toevallig een hoekpunt in ligt, en vervaagt hij langs de randen. Per fragment (Phong shading) vindt de geïnterpoleerde normaal hem overal; de omtrek blijft een veelhoek.",
+    },
+    parameters: &[
+        Parameter::count(
+            "subdivision",
+            Text { en: "subdivision of the spheres", nl: "onderverdeling van de bollen" },
+            1.0,
+            0.0,
+            5.0,
+        ),
+        Parameter::number("p", Text { en: "exponent p", nl: "exponent p" }, 60.0, 0.0, 2000.0),
+    ],
+    size: (480, 260),
+    draw,
+};
+
+fn draw(values: &Values) -> Drawn {
+    let (level, p) = (values.count("subdivision"), values.number("p"));
+    let loaded = scene(&format!(
+        r#"
+background = [0.05, 0.06, 0.08]
+[render]
+size = [480, 260]
+[camera]
+eye = [0, 0, 12]
+target = [0, 0, 0]
+fov = 15
+[[light]]
+kind = "ambient"
+color = 0.15
+[[light]]
+kind = "directional"
+to-light = [-0.5, 0.6, 1]
+color = 0.7
+[material.red]
+diffuse = [0.6, 0.1, 0.08]
+exponent = {p}
+[material.blue]
+diffuse = [0.1, 0.2, 0.6]
+exponent = {p}
+[[object]]
+shape = "icosphere"
+radius = 1.25
+level = {level}
+material = "red"
+transforms = [{{ translate = [-1.4, 0, 0] }}]
+[[object]]
+shape = "icosphere"
+radius = 1.25
+level = {level}
+material = "blue"
+transforms = [{{ rotate = 40, axis = [1, 2, 0] }}, {{ translate = [1.4, 0, 0] }}]
+"#
+    ))?;
+    let drawing = |(shading, name, alt): (Shading, &str, Text)| -> Result<Drawing, Fault> {
+        let settings = Settings { shading, ..settings(&loaded, Renderer::ZBuffer, values.size()) };
+        Ok(Drawing::picture(name, alt, shot(&loaded, &settings)?))
+    };
+    let gouraud = Text {
+        en: "Two coarse spheres whose highlights are dull and follow the edges of the triangles.",
+        nl: "Twee grove bollen waarvan de highlights dof zijn en de randen van de driehoeken volgen.",
+    };
+    let phong = Text {
+        en: "The same spheres with bright, nearly round highlights.",
+        nl: "Dezelfde bollen met heldere, bijna ronde highlights.",
+    };
+    [(Shading::Gouraud, "gouraud", gouraud), (Shading::Phong, "phong", phong)]
+        .into_iter()
+        .map(drawing)
+        .collect()
+}

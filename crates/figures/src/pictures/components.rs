@@ -1,0 +1,142 @@
+//! What do ambient, diffuse and specular light each add? (L36, L25)
+
+use canvas::Image;
+use scene::{Renderer, Settings};
+
+use super::studio::{Fault, scene, settings, shot};
+use crate::figure::{Drawing, Drawn, Figure, Text};
+use crate::parameter::{Parameter, Values};
+
+pub(super) static FIGURE: Figure = Figure {
+    numbers: &["L36", "L25", "L32"],
+    name: "components",
+    title: Text {
+        en: "Ambient + diffuse + specular = total",
+        nl: "Omgevingslicht + diffuus + spiegelend = totaal",
+    },
+    caption: Text {
+        en: "Ambient and diffuse colour are blue, the highlight has the colour of the light, white. The ambient part is the same everywhere, the diffuse part follows the surface, the specular part is narrow. The fourth picture is the sum of the first three.",
+        nl: "Omgevings- en diffuse kleur zijn blauw, de highlight heeft de kleur van het licht, wit. Het omgevingslicht is overal gelijk, het diffuse deel volgt het oppervlak, het spiegelende deel is smal. Het vierde plaatje is de som van de eerste drie.",
+    },
+    parameters: &[Parameter::number(
+        "p",
+        Text { en: "Phong exponent p", nl: "Phong-exponent p" },
+        32.0,
+        0.0,
+        2000.0,
+    )],
+    size: (300, 240),
+    draw,
+};
+
+/// One part of the lighting equation: its name, and how much there is of ambient light, diffuse and specular reflection.
+struct Part {
+    name: &'static str,
+    ambient: f32,
+    light: f32,
+    diffuse: f32,
+    specular: f32,
+    alt: Text,
+}
+
+const PARTS: [Part; 4] = [
+    Part {
+        name: "ambient",
+        ambient: 0.3,
+        light: 0.0,
+        diffuse: 1.0,
+        specular: 0.0,
+        alt: Text {
+            en: "A teapot in one dark blue, without form.",
+            nl: "Een theepot in één donkerblauw, zonder vorm.",
+        },
+    },
+    Part {
+        name: "diffuse",
+        ambient: 0.0,
+        light: 0.7,
+        diffuse: 1.0,
+        specular: 0.0,
+        alt: Text {
+            en: "A blue teapot, bright towards the light and black away from it.",
+            nl: "Een blauwe theepot, helder naar het licht toe en zwart ervan af.",
+        },
+    },
+    Part {
+        name: "specular",
+        ambient: 0.0,
+        light: 0.7,
+        diffuse: 0.0,
+        specular: 1.0,
+        alt: Text { en: "White highlights on black.", nl: "Witte highlights op zwart." },
+    },
+    Part {
+        name: "total",
+        ambient: 0.3,
+        light: 0.7,
+        diffuse: 1.0,
+        specular: 1.0,
+        alt: Text { en: "A glossy blue teapot.", nl: "Een glanzende blauwe theepot." },
+    },
+];
+
+fn draw(values: &Values) -> Drawn {
+    let drawing = |part: &Part| -> Result<Drawing, Fault> {
+        Ok(Drawing::picture(part.name, part.alt, picture(part, values)?))
+    };
+    PARTS.iter().map(drawing).collect()
+}
+
+fn picture(part: &Part, values: &Values) -> Result<Image, Fault> {
+    let Part { ambient, light, diffuse, specular, .. } = *part;
+    let [r, g, b] = [0.08, 0.22, 0.75].map(|channel: f32| diffuse * channel);
+    let p = values.number("p");
+    let loaded = scene(&format!(
+        r#"
+[render]
+size = [400, 300]
+highlight = "phong"
+[camera]
+eye = [3.2, 4.2, 7.5]
+target = [0.1, 1.45, 0]
+fov = 34
+[[light]]
+kind = "ambient"
+color = {ambient}
+[[light]]
+kind = "directional"
+to-light = [-0.5, 0.9, 0.8]
+color = {light}
+[material.pot]
+diffuse = [{r}, {g}, {b}]
+specular = {specular}
+exponent = {p}
+[[object]]
+shape = "teapot"
+level = 3
+material = "pot"
+"#
+    ))?;
+    let settings = Settings { shadows: false, ..settings(&loaded, Renderer::ZBuffer, values.size()) };
+    shot(&loaded, &settings)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_total_is_the_sum_of_the_parts() {
+        let mut values = Values::of(&FIGURE);
+        values.set_size(64, 48).unwrap();
+        let images: Vec<Image> = PARTS.iter().map(|part| picture(part, &values).unwrap()).collect();
+        let mut bright = 0;
+        for k in 0..images[0].pixels().len() {
+            let sum: canvas::Rgb = images[..3].iter().map(|image| image.pixels()[k]).sum();
+            // Up to five additions of numbers below 2, each rounded to f32.
+            assert!((sum - images[3].pixels()[k]).abs().max_element() <= 5.0 * f32::EPSILON, "pixel {k}");
+            bright += usize::from(sum.max_element() > 0.5);
+        }
+        assert!(bright > 10, "nothing gleams");
+    }
+}

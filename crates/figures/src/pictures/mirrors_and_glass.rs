@@ -1,0 +1,43 @@
+//! What does each level of recursion add? (L58)
+
+use scene::{Renderer, Settings};
+
+use super::studio::{Fault, built_in, settings, shot};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::parameter::{Parameter, Values};
+
+pub(super) static FIGURE: Figure = Figure {
+    numbers: &["L58"],
+    name: "mirrors-and-glass",
+    title: Text { en: "Recursive ray tracing", nl: "Recursieve ray tracing" },
+    caption: Text {
+        en: "Mirrors and glass send rays on. With depth 0 they show only their own highlights; with depth 1 a mirror shows the room, but not what other mirrors show; then the pictures in pictures appear.",
+        nl: "Spiegels en glas sturen stralen door. Met diepte 0 tonen ze alleen hun eigen glansplekken; met diepte 1 toont een spiegel de kamer, maar niet wat andere spiegels tonen; daarna verschijnen de beelden in beelden.",
+    },
+    parameters: &[Parameter::count(
+        "depth",
+        Text { en: "greatest depth of recursion", nl: "grootste diepte van de recursie" },
+        10.0,
+        2.0,
+        64.0,
+    )],
+    size: (400, 300),
+    draw,
+};
+
+fn draw(values: &Values) -> Drawn {
+    let loaded = built_in("glass-and-mirror")?;
+    let drawing = |max_depth: u32| -> Result<Drawing, Fault> {
+        let settings = Settings { max_depth, ..settings(&loaded, Renderer::Raytrace, values.size()) };
+        let alt = Words::new(
+            format!(
+                "A ball of glass, one of silver, a matt one and a tall mirror; rays are followed through {max_depth} surfaces."
+            ),
+            format!(
+                "Een glazen bol, een zilveren, een matte en een hoge spiegel; stralen worden door {max_depth} oppervlakken gevolgd."
+            ),
+        );
+        Ok(Drawing::picture(format!("depth-{max_depth}"), alt, shot(&loaded, &settings)?))
+    };
+    [0, 1, values.count("depth")].into_iter().map(drawing).collect()
+}

@@ -1,0 +1,110 @@
+//! What do two surfaces look like that lie almost in one plane? (L20)
+
+use scene::{Renderer, Settings};
+use transforms::ViewVolume;
+use zbuffer::DepthFormat;
+use zbuffer::depth_format::step_at;
+
+use super::studio::{Fault, scene, settings, shot};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::parameter::{Parameter, Values};
+
+pub(super) static FIGURE: Figure = Figure {
+    numbers: &["L20", "L19"],
+    name: "z-fighting",
+    title: Text { en: "Z-fighting at 16, 24 and 32 bits", nl: "Z-fighting bij 16, 24 en 32 bits" },
+    caption: Text {
+        en: "Light mats lie on a dark floor, a little above it. Where a depth buffer cannot tell the two apart, it shows whichever was drawn first, or a pattern of both. The near plane is close to the eye, which costs most of the resolution.",
+        nl: "Lichte matten liggen op een donkere vloer, net erboven. Waar een z-buffer ze niet kan onderscheiden, toont hij wat het eerst getekend werd, of een patroon van beide. Het near-vlak ligt dicht bij het oog; dat kost het grootste deel van de resolutie.",
+    },
+    parameters: &[
+        Parameter::number(
+            "gap",
+            Text { en: "height of the mats above the floor", nl: "hoogte van de matten boven de vloer" },
+            0.02,
+            0.0,
+            0.5,
+        ),
+        Parameter::number(
+            "near",
+            Text { en: "distance of the near plane", nl: "afstand van het near-vlak" },
+            0.05,
+            0.01,
+            1.0,
+        ),
+    ],
+    size: (400, 300),
+    draw,
+};
+
+/// The far plane of the scene.
+const FAR: f32 = 120.0;
+
+fn draw(values: &Values) -> Drawn {
+    let (gap, near) = (values.number("gap"), values.number("near"));
+    let loaded = scene(&text(gap, near))?;
+    let picture = |(format, bits): (DepthFormat, u32)| -> Result<Drawing, Fault> {
+        let settings = Settings {
+            depth_bits: format,
+            samples: 1,
+            ..settings(&loaded, Renderer::ZBuffer, values.size())
+        };
+        let volume = ViewVolume::from_fov_y(0.7, 4.0 / 3.0, -near, -FAR)?;
+        let step = step_at(format, &volume, 30.0);
+        let alt = Words::new(
+            format!(
+                "Light mats on a dark floor with {bits} bits of depth: at distance 30 one step is {step:.2e}, the gap {gap}."
+            ),
+            format!(
+                "Lichte matten op een donkere vloer met {bits} bits diepte: op afstand 30 is één stap {step:.2e}, de tussenruimte {gap}."
+            ),
+        );
+        Ok(Drawing::picture(format!("{bits}-bits"), alt, shot(&loaded, &settings)?))
+    };
+    [(DepthFormat::Bits16, 16), (DepthFormat::Bits24, 24), (DepthFormat::F32, 32)]
+        .into_iter()
+        .map(picture)
+        .collect()
+}
+
+fn text(gap: f32, near: f32) -> String {
+    let mats: Vec<String> = (0..6)
+        .map(|k| {
+            let (far, wide) = (-4.0 - 6.0 * k as f32, 1.0 + 0.55 * k as f32);
+            let z = [far, far + 3.2];
+            format!(
+                "[[-{wide}, {gap}, {}], [{wide}, {gap}, {}], [{wide}, {gap}, {}], [-{wide}, {gap}, {}]]",
+                z[1], z[1], z[0], z[0]
+            )
+        })
+        .collect();
+    let mats = mats.join(",\n");
+    format!(
+        r#"
+background = [0.62, 0.72, 0.84]
+[camera]
+eye = [0.7, 2.2, 5.0]
+target = [0.0, 0.0, -12.0]
+fov = 40
+near = -{near}
+far = -{FAR}
+[[light]]
+kind = "ambient"
+color = 0.9
+[material.floor]
+diffuse = [0.10, 0.13, 0.22]
+specular = 0
+[material.mat]
+diffuse = [0.90, 0.62, 0.20]
+specular = 0
+[[object]]
+material = "floor"
+polygons = [[[-60, 0, 8], [60, 0, 8], [60, 0, -100], [-60, 0, -100]]]
+[[object]]
+material = "mat"
+polygons = [
+{mats}
+]
+"#
+    )
+}
