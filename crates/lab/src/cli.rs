@@ -14,12 +14,14 @@ pub(crate) enum Outcome {
     Done,
     /// `compare` found a difference: 1.
     Differs,
+    /// A verdict of `claims` did not come out as recorded: 1.
+    Unexpected,
 }
 
 const EXIT_CODES: &str = "\
 Exit codes:
   0    done; for compare: the pictures are the same
-  1    compare: the pictures differ
+  1    compare: the pictures differ; claims: a verdict did not come out as recorded
   2    error
   130  interrupted by Ctrl-C; 143: told to terminate. No half-written file stays behind.";
 
@@ -36,6 +38,26 @@ Examples:
   A scene of your own:
     cargo lab scenes teapot > mine.toml
     cargo lab render mine.toml";
+
+const FIGURES_EXAMPLES: &str = "\
+Examples:
+  All figures and claims on one page, figures/index.html:
+    cargo lab figures
+  The figures of one item, with another exponent:
+    cargo lab figures L31 --set p=64
+  For a wall: larger pictures in a folder of your choice:
+    cargo lab figures --size 1280x960 --out wall";
+
+const CLAIMS_EXAMPLES: &str = "\
+Examples:
+  All claims, a line each:
+    cargo lab claims
+  Some of them, with the evidence:
+    cargo lab claims E3 L26
+  For machines:
+    cargo lab claims --json
+
+Exit code: 0 all verdicts came out as recorded, 1 one did not, 2 error.";
 
 const COMPARE_EXAMPLES: &str = "\
 Examples:
@@ -80,6 +102,12 @@ pub(crate) enum Command {
     /// Say whether two pictures are the same, and where they differ
     #[command(after_help = COMPARE_EXAMPLES)]
     Compare(CompareArgs),
+    /// Draw the lecture's figures into a folder, with a page that shows them
+    #[command(after_help = FIGURES_EXAMPLES)]
+    Figures(FiguresArgs),
+    /// Put the lecture's claims on trial
+    #[command(after_help = CLAIMS_EXAMPLES)]
+    Claims(ClaimsArgs),
     /// List the built-in scenes, or print one as a scene file
     #[command(after_help = SCENES_EXAMPLES)]
     Scenes(ScenesArgs),
@@ -153,6 +181,39 @@ pub(crate) struct CompareArgs {
     pub(crate) tolerance: f32,
 }
 
+/// `cargo lab figures`.
+#[derive(Args, Debug)]
+pub(crate) struct FiguresArgs {
+    /// Numbers or names of figures: L31, E4, exponent-strip [default: all of them, and the claims]
+    #[arg(value_name = "FIGURE")]
+    pub(crate) figures: Vec<String>,
+
+    /// The folder for the pictures and their page, index.html. It is made if it is not there; what was drawn into it before
+    /// and has not changed stays
+    #[arg(long, value_name = "DIR", default_value = "figures")]
+    pub(crate) out: PathBuf,
+
+    /// Width and height of each picture, in pixels: 640x480, say [default: each figure's own]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = size)]
+    pub(crate) size: Option<(u32, u32)>,
+
+    /// Give a parameter another value, in each chosen figure that has it; once for each parameter. The page shows the names
+    #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
+    pub(crate) set: Vec<(String, f32)>,
+}
+
+/// `cargo lab claims`.
+#[derive(Args, Debug)]
+pub(crate) struct ClaimsArgs {
+    /// Numbers or names of claims: E3, L26 [default: all of them]
+    #[arg(value_name = "CLAIM")]
+    pub(crate) claims: Vec<String>,
+
+    /// Print JSON instead of a table
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
 /// `cargo lab scenes`.
 #[derive(Args, Debug)]
 pub(crate) struct ScenesArgs {
@@ -194,6 +255,16 @@ fn size(text: &str) -> Result<(u32, u32), String> {
         return Err(format!("width and height must be at most {GREATEST_SIDE} pixels"));
     }
     Ok(size)
+}
+
+/// `p=64` is ("p", 64).
+fn setting(text: &str) -> Result<(String, f32), String> {
+    let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE, such as p=64")?;
+    let value = value.trim().parse::<f32>().ok().filter(|value| value.is_finite());
+    match value {
+        Some(value) if !name.trim().is_empty() => Ok((name.trim().to_owned(), value)),
+        _ => Err("expected NAME=VALUE with a number, such as p=64".to_owned()),
+    }
 }
 
 /// A number or a fraction, `0.004` or `1/255`, from 0 to 1.
@@ -241,6 +312,14 @@ mod tests {
             "٣x٣",
         ] {
             assert!(size(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_setting_is_a_name_and_a_number() {
+        assert_eq!(setting("p=64"), Ok(("p".to_owned(), 64.0)));
+        for wrong in ["", "p", "p=", "=3", "p=x", "p=NaN", "p=inf", "p=1,5"] {
+            assert!(setting(wrong).is_err(), "{wrong}");
         }
     }
 

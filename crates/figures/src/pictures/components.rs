@@ -98,8 +98,8 @@ size = [400, 300]
 highlight = "phong"
 [camera]
 eye = [3.2, 4.2, 7.5]
-target = [0.1, 1.45, 0]
-fov = 34
+target = [0.3, 1.45, 0]
+fov = 38
 [[light]]
 kind = "ambient"
 color = {ambient}

@@ -33,8 +33,8 @@ fn draw(values: &Values) -> Drawn {
 background = [0.05, 0.06, 0.08]
 [camera]
 eye = [3.2, 4.2, 7.5]
-target = [0.1, 1.45, 0]
-fov = 34
+target = [0.3, 1.45, 0]
+fov = 38
 [[light]]
 kind = "ambient"
 color = 0.15

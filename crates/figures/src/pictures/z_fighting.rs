@@ -21,7 +21,7 @@ pub(super) static FIGURE: Figure = Figure {
         Parameter::number(
             "gap",
             Text { en: "height of the mats above the floor", nl: "hoogte van de matten boven de vloer" },
-            0.02,
+            0.001,
             0.0,
             0.5,
         ),
@@ -70,8 +70,8 @@ fn draw(values: &Values) -> Drawn {
 fn text(gap: f32, near: f32) -> String {
     let mats: Vec<String> = (0..6)
         .map(|k| {
-            let (far, wide) = (-4.0 - 6.0 * k as f32, 1.0 + 0.55 * k as f32);
-            let z = [far, far + 3.2];
+            let (far, wide) = (-4.0 - 6.0 * k as f32, 1.6 + 0.9 * k as f32);
+            let z = [far, far + 4.2];
             format!(
                 "[[-{wide}, {gap}, {}], [{wide}, {gap}, {}], [{wide}, {gap}, {}], [-{wide}, {gap}, {}]]",
                 z[1], z[1], z[0], z[0]

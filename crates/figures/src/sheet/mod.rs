@@ -278,6 +278,17 @@ impl Sheet {
     }
 }
 
+/// The SVG text of [`Sheet::svg`] as part of a page that has [`STYLE`] itself and lets the reader choose the language.
+pub(crate) fn inside_a_page(svg: &str, alt: &Words) -> String {
+    let described = html! { svg data-en=(alt.en) data-nl=(alt.nl) {} }.into_string();
+    let described = described.trim_end_matches("></svg>");
+    let without_style = match (svg.find("<style>"), svg.find("</style>")) {
+        (Some(start), Some(end)) => [&svg[..start], &svg[end + "</style>".len()..]].concat(),
+        _ => svg.to_owned(),
+    };
+    without_style.replacen("<svg", described, 1)
+}
+
 fn dashes(pen: Pen) -> Option<String> {
     pen.dashed.then(|| format!("{} {}", number(3.0 * pen.width), number(3.0 * pen.width)))
 }

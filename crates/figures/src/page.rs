@@ -1,1 +1,0 @@
-//! How do figures and claims come onto one page?

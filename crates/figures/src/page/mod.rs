@@ -1,0 +1,166 @@
+//! How do figures and claims come onto one page? As HTML that needs no other file and asks nothing of any network.
+//!
+//! Pictures are inside the page, drawings of lines are part of it and take its colours, light or dark. The page speaks
+//! English or Dutch; its arrow keys step from figure to figure in full screen.
+
+mod shown;
+
+pub use shown::{Entry, Medium, Shown, Trial};
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use crate::claims::Verdict;
+use crate::figure::{Text, Words};
+use crate::sheet::{self, STYLE};
+
+/// Nothing from elsewhere, not even by mistake.
+const POLICY: &str =
+    "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+
+/// The page of these figures and claims, in the order given.
+#[must_use]
+pub fn html(figures: &[Entry], claims: &[Trial]) -> String {
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta http-equiv="Content-Security-Policy" content=(POLICY);
+                title { "lightlab: lighting and ray tracing" }
+                // An empty picture, so that the browser does not ask for one.
+                link rel="icon" href="data:,";
+                style { (PreEscaped(include_str!("page.css"))) (PreEscaped(STYLE)) }
+            }
+            body {
+                a.skip href="#content" { (both(&SKIP.into())) }
+                (navigation(figures, claims))
+                header {
+                    h1 { (both(&TITLE.into())) }
+                    p { (both(&ABOUT.into())) }
+                }
+                main #content {
+                    @for entry in figures { (figure(entry)) }
+                    @if !claims.is_empty() {
+                        h2 #claims { (both(&CLAIMS.into())) }
+                        @for trial in claims { (claim(trial)) }
+                    }
+                }
+                p.skip #spoken role="status" aria-live="polite" {}
+                script { (PreEscaped(include_str!("page.js"))) }
+            }
+        }
+    };
+    page.into_string()
+}
+
+const TITLE: Text = Text { en: "Lighting and ray tracing", nl: "Belichting en raytracing" };
+const ABOUT: Text = Text {
+    en: "Every figure of the lecture, computed; every claim, put on trial. Press f for full screen and step with the arrow keys.",
+    nl: "Elke figuur van het college, berekend; elke bewering, op de proef gesteld. Druk op f voor volledig scherm en blader met de pijltjes.",
+};
+const SKIP: Text = Text { en: "Skip to the figures", nl: "Direct naar de figuren" };
+const CLAIMS: Text = Text { en: "Claims on trial", nl: "Beweringen op de proef gesteld" };
+const PRESENT: Text = Text { en: "Full screen", nl: "Volledig scherm" };
+
+fn navigation(figures: &[Entry], claims: &[Trial]) -> Markup {
+    html! {
+        nav aria-label="Figures and claims" {
+            div {
+                ul {
+                    @for entry in figures {
+                        li { a href={ "#" (entry.stem) } title=(entry.title.en) { (entry.numbers[0]) } }
+                    }
+                    @if !claims.is_empty() {
+                        li { a href="#claims" { (both(&CLAIMS.into())) } }
+                    }
+                }
+                button #present type="button" { "⛶ " span.wide { (both(&PRESENT.into())) } }
+                button #language type="button" { "Nederlands" }
+            }
+        }
+    }
+}
+
+fn figure(entry: &Entry) -> Markup {
+    html! {
+        article id=(entry.stem) {
+            h3 {
+                span.number { (entry.numbers[0]) }
+                span { (both(&entry.title)) }
+                @if entry.numbers.len() > 1 { span.also { (entry.numbers[1..].join(" · ")) } }
+            }
+            (drawings(&entry.drawings))
+            p.caption { (both(&entry.caption)) }
+            p.values { (entry.values) }
+        }
+    }
+}
+
+fn claim(trial: &Trial) -> Markup {
+    let class = match trial.verdict {
+        Verdict::Holds => "holds",
+        Verdict::HoldsIf(_) => "partly",
+        Verdict::Refuted => "refuted",
+    };
+    html! {
+        article.claim id=(trial.stem) {
+            h3 {
+                span.number { (trial.number) }
+                span class={ "verdict " (class) } { (both(&trial.verdict_in_words())) }
+                @if !trial.is_as_expected {
+                    span.unexpected { (both(&UNEXPECTED.into())) }
+                }
+            }
+            p.quote lang="nl" { "„" (trial.quote) "”" }
+            p.translation lang="en" { "“" (trial.translation) "”" }
+            p.truth { (both(&trial.truth)) }
+            (drawings(&trial.drawings))
+            ul lang="en" { @for line in &trial.evidence { li { (line) } } }
+            p { @for name in &trial.code { code { (name) } " " } }
+        }
+    }
+}
+
+const UNEXPECTED: Text = Text { en: "not the recorded verdict", nl: "niet het vastgelegde oordeel" };
+
+fn drawings(drawings: &[Shown]) -> Markup {
+    let class = match drawings.len() {
+        0 | 1 => "drawings one",
+        2 | 3 => "drawings",
+        _ => "drawings many",
+    };
+    html! {
+        @if !drawings.is_empty() {
+            div class=(class) {
+                @for shown in drawings {
+                    figure.drawing {
+                        (medium(shown))
+                        @if !shown.name.is_empty() { figcaption { (shown.name.replace('-', " ")) } }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn medium(shown: &Shown) -> Markup {
+    match &shown.medium {
+        Medium::Png(bytes) => html! {
+            img alt=(shown.alt.en) data-en=(shown.alt.en) data-nl=(shown.alt.nl) loading="lazy" decoding="async"
+                src={ "data:image/png;base64," (STANDARD.encode(bytes)) };
+        },
+        Medium::Svg(text) => PreEscaped(sheet::inside_a_page(text, &shown.alt)),
+    }
+}
+
+/// Both languages; the style sheet shows one.
+fn both(words: &Words) -> Markup {
+    html! {
+        @if words.en == words.nl { (words.en) } @else {
+            span.en lang="en" { (words.en) } span.nl lang="nl" { (words.nl) }
+        }
+    }
+}
