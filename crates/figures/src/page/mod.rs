@@ -77,7 +77,7 @@ fn navigation(figures: &[Entry], claims: &[Trial]) -> Markup {
                         li { a href="#claims" { (both(&CLAIMS.into())) } }
                     }
                 }
-                button #present type="button" { "⛶ " span.wide { (both(&PRESENT.into())) } }
+                button #present type="button" { (both(&PRESENT.into())) }
                 button #language type="button" { "Nederlands" }
             }
         }
@@ -127,18 +127,20 @@ fn claim(trial: &Trial) -> Markup {
 const UNEXPECTED: Text = Text { en: "not the recorded verdict", nl: "niet het vastgelegde oordeel" };
 
 fn drawings(drawings: &[Shown]) -> Markup {
+    // In full screen: one row of up to four, else two rows.
+    let columns = if drawings.len() > 4 { drawings.len().div_ceil(2) } else { drawings.len() };
     let class = match drawings.len() {
         0 | 1 => "drawings one",
-        2 | 3 => "drawings",
+        2..=4 => "drawings",
         _ => "drawings many",
     };
     html! {
         @if !drawings.is_empty() {
-            div class=(class) {
+            div class=(class) style={ "--columns:" (columns) } {
                 @for shown in drawings {
                     figure.drawing {
                         (medium(shown))
-                        @if !shown.name.is_empty() { figcaption { (shown.name.replace('-', " ")) } }
+                        @if !shown.name.is_empty() { figcaption lang="en" { (shown.name.replace('-', " ")) } }
                     }
                 }
             }

@@ -187,13 +187,13 @@ fn table(pipeline: &Pipeline, point: Vec3) -> Drawing {
         lines.iter().map(|(name, _, at)| format!("{} {at}", name.en)).collect::<Vec<_>>().join("; "),
         lines.iter().map(|(name, _, at)| format!("{} {at}", name.nl)).collect::<Vec<_>>().join("; "),
     );
-    let mut sheet = Sheet::new(vec2(0.0, 0.0), vec2(620.0, 230.0), 620.0);
+    let mut sheet = Sheet::new(vec2(0.0, 0.0), vec2(500.0, 230.0), 500.0);
     for (k, (name, factors, at)) in lines.into_iter().enumerate() {
         let y = 200.0 - 42.0 * k as f32;
-        sheet.label(vec2(16.0, y), Side::Right, name, Letters::Plain, Ink::Main);
-        sheet.label(vec2(170.0, y), Side::Right, factors, Letters::Scalar, Ink::B);
-        sheet.label(vec2(260.0, y), Side::Right, at, Letters::Plain, Ink::A);
-        sheet.line(vec2(16.0, y - 21.0), vec2(604.0, y - 21.0), Ink::Faint.pen().fine());
+        sheet.label(vec2(4.0, y), Side::Right, name, Letters::Plain, Ink::Main);
+        sheet.label(vec2(108.0, y), Side::Right, factors, Letters::Scalar, Ink::B);
+        sheet.label(vec2(170.0, y), Side::Right, at, Letters::Plain, Ink::A);
+        sheet.line(vec2(12.0, y - 21.0), vec2(488.0, y - 21.0), Ink::Faint.pen().fine());
     }
     Drawing::diagram("6-table", alt.clone(), sheet.svg(&alt))
 }

@@ -2,6 +2,7 @@
 
 mod compare;
 mod desk;
+mod figures;
 mod flags;
 mod help;
 mod interruption;
