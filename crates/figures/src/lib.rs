@@ -5,13 +5,17 @@
 //!
 //! ```
 //! let figure = figures::find("L54")[0];
-//! let mut values = figures::Values::of(figure);
+//! let values = figures::Values::of(figure);
 //! let drawings = (figure.draw)(&values)?;
 //! assert_eq!(drawings[0].file_name(&figure.stem()), "L54-worked-example.svg");
 //! # Ok::<(), Box<dyn std::error::Error + Send + Sync>>(())
 //! ```
 
 #![forbid(unsafe_code)]
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeExamples;
 
 pub mod claims;
 pub mod figure;

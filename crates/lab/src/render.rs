@@ -77,6 +77,12 @@ impl Source {
         if let Some(builtin) = name.to_str().and_then(builtin::find) {
             return Ok(Self::Builtin(builtin));
         }
+        if name.is_dir() {
+            return Err(Failure::new(
+                format!("{} is a folder, not a scene", name.display()),
+                "give a .toml or .obj file, or a name that `cargo lab scenes` lists",
+            ));
+        }
         // Something that looks like a file name, or is one, shall be read; the reader says what is wrong with it.
         let is_file = name.extension().is_some() || name.components().count() > 1 || name.exists();
         if is_file {

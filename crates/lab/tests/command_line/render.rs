@@ -181,3 +181,12 @@ fn damaged_scenes_and_meshes_end_in_an_error_or_a_picture() {
         }
     }
 }
+
+#[test]
+fn a_folder_is_no_scene() {
+    let desk = Desk::new();
+    std::fs::create_dir(desk.path("x.obj")).unwrap();
+    desk.lab("render .").refused(&[". is a folder, not a scene"]);
+    desk.lab("render x.obj").refused(&["x.obj is a folder, not a scene"]);
+    desk.lab("render --size 16384x16384 --renderer zbuffer").refused(&["16384 × 16384", "smaller --size"]);
+}
