@@ -19,7 +19,9 @@ fn sizes() {
     refused("render --size 1000000x1000000", &["at most 16384"]);
     refused("render --size 99999999999999999999x1", &["at most 16384"]);
     refused("render --size 8000x8000", &["3 pictures of 8000 × 8000", "67108864", "--renderer"]);
-    refused("render --size 16384x16384 --renderer raytrace", &["16384 × 16384", "67108864", "--size"]);
+    let said = Desk::new().lab("render --size 16384x16384 --renderer raytrace");
+    let said = said.refused(&["16384 × 16384", "67108864", "--size"]);
+    assert!(!said.err.contains("--renderer"), "one is chosen already: {}", said.err);
     refused("render --size 8192x8192 --renderer zbuffer --samples 16", &["--samples"]);
 }
 
@@ -61,6 +63,10 @@ fn a_scene_that_is_a_folder_or_no_scene() {
     desk.put("empty.obj", "");
     for name in ["folder.toml", "notes.txt", "empty.obj", "."] {
         desk.lab(&format!("render {name} -o out.png")).refused(&[name]);
+    }
+    for folder in ["folder.toml", "."] {
+        let is_said = format!("{folder} is a folder, not a scene");
+        desk.lab(&format!("render {folder}")).refused(&[&is_said]);
     }
     assert_eq!(desk.files(), ["empty.obj", "folder.toml", "notes.txt"]);
 }

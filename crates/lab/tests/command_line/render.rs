@@ -95,18 +95,23 @@ fn every_flag_changes_the_picture() {
         "--samples 3",
         "--show depth",
         "--show normals",
+        "--show barycentric",
+        "--show overdraw",
         "--no-shadows",
         "--renderer zbuffer",
     ] {
         desk.lab(&format!("{base} other.png {flag}")).done();
         assert_ne!(desk.bytes("base.png"), desk.bytes("other.png"), "{flag}");
     }
-    let base = "render teapot --renderer zbuffer --size 48x36 -o";
-    let pictures = ["flat", "gouraud", "phong"].map(|shading| {
-        desk.lab(&format!("{base} {shading}.png --shading {shading}")).done();
-        desk.bytes(&format!("{shading}.png"))
-    });
-    assert!(pictures[0] != pictures[1] && pictures[1] != pictures[2] && pictures[2] != pictures[0]);
+    for renderer in ["zbuffer", "raytrace"] {
+        let base = format!("render teapot --renderer {renderer} --size 48x36 -o");
+        let pictures = ["flat", "gouraud", "phong"].map(|shading| {
+            desk.lab(&format!("{base} {shading}.png --shading {shading}")).done();
+            desk.bytes(&format!("{shading}.png"))
+        });
+        let [flat, gouraud, phong] = pictures;
+        assert!(flat != gouraud && gouraud != phong && phong != flat, "{renderer}");
+    }
 }
 
 #[test]
@@ -180,13 +185,4 @@ fn damaged_scenes_and_meshes_end_in_an_error_or_a_picture() {
             }
         }
     }
-}
-
-#[test]
-fn a_folder_is_no_scene() {
-    let desk = Desk::new();
-    std::fs::create_dir(desk.path("x.obj")).unwrap();
-    desk.lab("render .").refused(&[". is a folder, not a scene"]);
-    desk.lab("render x.obj").refused(&["x.obj is a folder, not a scene"]);
-    desk.lab("render --size 16384x16384 --renderer zbuffer").refused(&["16384 × 16384", "smaller --size"]);
 }
