@@ -32,6 +32,18 @@ pub struct Trial {
     pub numbers: String,
 }
 
+impl Trial {
+    /// A trial of a sentence without a condition.
+    pub fn new(holds: bool, numbers: impl Into<String>) -> Self {
+        Self::under(true, holds, numbers)
+    }
+
+    /// A trial of a sentence with a condition, which this input meets or not.
+    pub fn under(meets_condition: bool, holds: bool, numbers: impl Into<String>) -> Self {
+        Self { holds, meets_condition, numbers: numbers.into() }
+    }
+}
+
 /// What backs a verdict.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Evidence {
@@ -56,6 +68,15 @@ pub enum Evidence {
         /// What was measured, and how much it is.
         numbers: String,
     },
+    /// The slide's version and the right one, run on one input.
+    Comparison {
+        /// The input.
+        input: String,
+        /// What the slide's version gave.
+        slide: String,
+        /// What the right version gave.
+        right: String,
+    },
 }
 
 impl std::fmt::Display for Evidence {
@@ -67,6 +88,9 @@ impl std::fmt::Display for Evidence {
                 write!(f, "{numbers} ({failures} of {trials} trials fail)")
             }
             Self::Measurement { numbers } => f.write_str(numbers),
+            Self::Comparison { input, slide, right } => {
+                write!(f, "{input}: the slide gives {slide}, right is {right}")
+            }
         }
     }
 }
@@ -87,6 +111,30 @@ impl Examination {
         self.evidence.push(evidence);
         self
     }
+
+    /// The same with what the slide's version and the right one gave on one input.
+    #[must_use]
+    pub fn compared(
+        self,
+        input: impl Into<String>,
+        slide: impl Into<String>,
+        right: impl Into<String>,
+    ) -> Self {
+        self.and(Evidence::Comparison { input: input.into(), slide: slide.into(), right: right.into() })
+    }
+
+    /// The same with one more measurement.
+    #[must_use]
+    pub fn noted(self, numbers: impl Into<String>) -> Self {
+        self.and(Evidence::Measurement { numbers: numbers.into() })
+    }
+}
+
+/// The verdict of one measurement: what was measured either is what the sentence says or is not.
+#[must_use]
+pub fn measured(is_as_the_sentence_says: bool, numbers: impl Into<String>) -> Examination {
+    let verdict = if is_as_the_sentence_says { Verdict::Holds } else { Verdict::Refuted };
+    Examination { verdict, evidence: vec![Evidence::Measurement { numbers: numbers.into() }] }
 }
 
 /// The verdict that trials lead to. No failure: it holds. Failures, but none where the condition is met (and it is met
