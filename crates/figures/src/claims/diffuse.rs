@@ -108,6 +108,33 @@ pub(super) static SAME_FROM_EVERYWHERE: Claim = Claim {
     pictures: None,
 };
 
+pub(super) static COSINE: Claim = Claim {
+    number: "L26",
+    name: "cosine-law",
+    quote: "c = c_r c_l n·l = c_r c_l cos θ",
+    translation: "c = c_r c_l n·l = c_r c_l cos θ",
+    truth: text(
+        "n and l have length 1, so n·l is the cosine of the angle of incidence.",
+        "n en l hebben lengte 1, dus n·l is de cosinus van de invalshoek.",
+    ),
+    expected: Verdict::Holds,
+    code: &["lighting::lambert", "lighting::lit"],
+    examine: || {
+        let trials = trials(200, 67, |random| {
+            let (c_r, c_l, theta) = (random.color(), random.color(), random.between(0.0, 90.0).to_radians());
+            let to_light = vec3(theta.sin() * 0.6, theta.sin() * 0.8, theta.cos());
+            let c = shown(&Material::matt(c_r), &[sun(to_light, c_l)], random.direction_around(Vec3::Z));
+            let right = c_r * c_l * theta.cos();
+            Trial::new(
+                c.abs_diff_eq(right, 1e-6),
+                format!("θ = {theta:.3}: {} and {}", short(c), short(right)),
+            )
+        });
+        judge("c = c_r c_l cos θ", None, &trials)
+    },
+    pictures: None,
+};
+
 pub(super) static FACING_AWAY: Claim = Claim {
     number: "L27",
     name: "facing-away",

@@ -159,8 +159,8 @@ pub(super) static EMPIRICAL: Claim = Claim {
     quote: "Phong belichtingsmodel is empirisch model …",
     translation: "the Phong lighting model is an empirical model …",
     truth: text(
-        "No law of nature: a surface can send out more than it receives. Of light 1 at 60° a quarter-turned patch receives 0.5, and the mirror direction shows 1.4.",
-        "Geen natuurwet: een oppervlak kan meer uitstralen dan het ontvangt. Van licht 1 onder 60° ontvangt het 0,5, en in de spiegelrichting is 1,4 te zien.",
+        "No law of nature: a surface can send out more light than it receives, as the numbers of one show.",
+        "Geen natuurwet: een oppervlak kan meer licht uitstralen dan het ontvangt, zoals de getallen van één oppervlak tonen.",
     ),
     expected: Verdict::Holds,
     code: &["lighting::phong", "lighting::reflect"],

@@ -128,7 +128,6 @@ fn sun(to_light: Vec3) -> Illumination {
 
 /// p + t·l with t in [0, ∞], from the very point that was hit.
 fn slide_is_lit(world: &World, p: Vec3, to_light: Vec3) -> bool {
-    // The least t above 0 that counts: t = 0 itself is the point.
     !any_hit(world, &Ray::new(p, to_light), 0.0, f32::INFINITY)
 }
 

@@ -135,6 +135,31 @@ pub(super) static NEARER_AND_BEHIND: Claim = Claim {
     pictures: None,
 };
 
+pub(super) static THE_SYSTEM: Claim = Claim {
+    number: "L50",
+    name: "three-equations",
+    quote: "e + td = a + β(b − a) + γ(c − a)",
+    translation: "e + td = a + β(b − a) + γ(c − a)",
+    truth: text(
+        "Three equations, one a coordinate: with β, γ and t from the system, both sides are one point.",
+        "Drie vergelijkingen, één per coördinaat: met β, γ en t uit het stelsel zijn beide kanten één punt.",
+    ),
+    expected: Verdict::Holds,
+    code: &["raytrace::triangle::system", "geometry::Triangle::point"],
+    examine: || {
+        let trials = trials(300, 108, |random| {
+            let (triangle, ray) = steep(random);
+            let Some(x) = cramer(&system(&ray, &triangle)) else { return Trial::new(false, "no solution") };
+            let (on_ray, on_plane) = (ray.at(x.t), triangle.point(x.weights()));
+            // As for the solvers: condition numbers up to some hundred.
+            let holds = on_ray.abs_diff_eq(on_plane, 1e-3 * (1.0 + x.t.abs()));
+            Trial::new(holds, format!("{} on the ray, {} on the plane", short(on_ray), short(on_plane)))
+        });
+        judge("the point on the ray is the point on the plane", None, &trials)
+    },
+    pictures: None,
+};
+
 pub(super) static THREE_SOLVERS: Claim = Claim {
     number: "L51",
     name: "three-solvers",
@@ -149,7 +174,8 @@ pub(super) static THREE_SOLVERS: Claim = Claim {
     examine: || {
         let mut systems = Vec::new();
         let trials = trials(300, 105, |random| {
-            let system = steep_system(random);
+            let (triangle, ray) = steep(random);
+            let system = system(&ray, &triangle);
             systems.push(system);
             let [a, b, c] = [cramer, inverse, elimination].map(|solve| solve(&system).map(as_vec3));
             let (Some(a), Some(b), Some(c)) = (a, b, c) else { return Trial::new(false, "no solution") };
@@ -170,12 +196,12 @@ pub(super) static THREE_SOLVERS: Claim = Claim {
 };
 
 /// A triangle and a ray that meets its plane at more than some degrees.
-fn steep_system(random: &mut Sequence) -> System {
+fn steep(random: &mut Sequence) -> (Triangle, Ray) {
     loop {
         let (triangle, ray) = (random.triangle(3.0), Ray::new(random.point(5.0), random.direction()));
         let n = triangle.normal().unwrap_or(Vec3::ZERO);
         if n.dot(ray.direction).abs() > 0.2 {
-            return system(&ray, &triangle);
+            return (triangle, ray);
         }
     }
 }

@@ -79,8 +79,8 @@ pub(super) static FINER_MESH: Claim = Claim {
     quote: "Vertex normals record the surface normal of the original curve.",
     translation: "vertex normals record the normal of the original curve",
     truth: text(
-        "At the vertices they are the curve's own; between them the colour is off by about a quarter as much on a mesh twice as fine.",
-        "In de hoekpunten zijn ze die van de kromme zelf; ertussen is de kleurfout op een tweemaal zo fijne mesh ongeveer een kwart.",
+        "At the vertices they are the curve's own; between them the colour is off by less and less on a finer mesh, in the end by a quarter as much for twice as fine.",
+        "In de hoekpunten zijn ze die van de kromme zelf; ertussen wordt de kleurfout steeds kleiner op een fijnere mesh, uiteindelijk een kwart bij tweemaal zo fijn.",
     ),
     expected: Verdict::Holds,
     code: &["geometry::shapes::icosphere", "shading::render"],
@@ -262,8 +262,8 @@ fn normals_pair() -> Drawn {
         }
     }
     let alt_slide = text(
-        "A ball of 20 triangles: the middle of each triangle is dark, its corners are bright, and the highlight is gone.",
-        "Een bal van 20 driehoeken: het midden van elke driehoek is donker, de hoeken zijn licht en de glansplek is weg.",
+        "A ball of 20 triangles, without any highlight; the middles of its triangles are too dark, and their edges show.",
+        "Een bal van 20 driehoeken zonder glansplek; de middens van de driehoeken zijn te donker en de ribben zijn te zien.",
     );
     let alt_right = text(
         "The same ball, evenly shaded, with a round highlight.",

@@ -55,8 +55,8 @@ pub(super) static ONE_LETTER: Claim = Claim {
     quote: "e, c, b, t, n, r, l, p",
     translation: "e, c, b, t, n, r, l, p",
     truth: text(
-        "Eight letters have twenty meanings or more between them: names in the code say which.",
-        "Acht letters hebben samen twintig betekenissen of meer: namen in de code zeggen welke.",
+        "Eight letters have twenty-one meanings between them: names in the code say which.",
+        "Acht letters hebben samen eenentwintig betekenissen: namen in de code zeggen welke.",
     ),
     expected: Verdict::Refuted,
     code: &["transforms::ViewVolume", "lighting::SurfacePoint", "geometry::Triangle"],
@@ -159,8 +159,8 @@ pub(super) static LOST_ROW: Claim = Claim {
 pub(super) static ROWS: Claim = Claim {
     number: "E18",
     name: "rows-run-down",
-    quote: "pixel (i, j) op scherm tussen [−0.5, n_x − 0.5] × [−0.5, n_y − 0.5]",
-    translation: "pixel (i, j) on the screen, with j upwards; the depth grids are printed from the top down",
+    quote: "Elke pixel (i, j) op scherm tussen [−0.5, n_x − 0.5] × [−0.5, n_y − 0.5]",
+    translation: "each pixel (i, j) on the screen, with j upwards; the depth grids are printed from the top down",
     truth: text(
         "j counts upwards, rows of grids and files count down: row = n_y − 1 − j, in one place.",
         "j telt omhoog, rijen van roosters en bestanden tellen omlaag: rij = n_y − 1 − j, op één plek.",
