@@ -3,6 +3,7 @@
 //! A [`Claim`] examines itself: it tries the sentence on many inputs, or measures. The [`Verdict`] is reached by
 //! [`judge`], never typed in; what is typed in is what we expect, so that a change in the code that turns a verdict is seen.
 
+mod cost;
 mod depth;
 mod diffuse;
 mod flat;
@@ -158,7 +159,7 @@ static ALL: &[&Claim] = &[
     &highlight_errors::A_NUMBER,
     &highlight_errors::REFLECTED_LEAKS,
     &highlight_errors::SAME_HIGHLIGHT,
-    &highlight_errors::R_IS_EXPENSIVE,
+    &cost::R_IS_EXPENSIVE,
     &shaded::GOURAUD_IS_AFFINE,
     &shaded::FINER_MESH,
     &shaded::PHONG_SHADING,

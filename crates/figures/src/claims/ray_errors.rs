@@ -16,11 +16,7 @@ use super::{Claim, Examination, Trial, Verdict, judge, pair, text};
 use crate::{Drawing, Drawn};
 
 /// The listing, word by word: comparisons that reject, and no test for a parallel ray.
-#[expect(
-    clippy::manual_range_contains,
-    clippy::needless_bool,
-    reason = "as on the slide; a range would reject NaN"
-)]
+#[expect(clippy::manual_range_contains, reason = "as on the slide; a range would reject NaN")]
 fn slide_raytri(ray: &Ray, triangle: &Triangle, t0: f32, t1: f32) -> bool {
     let (to_b, to_c, d) = (triangle.a - triangle.b, triangle.a - triangle.c, ray.direction);
     let to_e = triangle.a - ray.origin;
