@@ -33,7 +33,7 @@ fn a_claim_with_a_wrong_expectation_is_reported() {
         truth: figures::Text { en: "It is not.", nl: "Dat is niet zo." },
         expected: Verdict::Holds,
         code: &[],
-        examine: || Examination { verdict: Verdict::Refuted, evidence: Vec::new() },
+        examine: || Examination { verdict: Verdict::Refuted, evidence: Vec::new(), right_holds: true },
         pictures: None,
     };
     let lines = unexpected(&[WRONG.run()]);

@@ -67,11 +67,22 @@ pub(super) static CAMERA_DEPTH: Claim = Claim {
             let holds = (slide - right).abs() < 1e-3;
             Trial::under(a == b, holds, format!("between z = {a:.2} and {b:.2}: {slide:.2}, not {right:.2}"))
         });
-        judge("camera z halfway on the screen is the mean of the ends", Some(ONE_DEPTH), &trials).compared(
-            "halfway on the screen between z = −2 and z = −50",
-            format!("z = {:.2}", slide_halfway(-2.0, -50.0)),
-            format!("z = {:.2}", halfway_on_screen(-2.0, -50.0)),
-        )
+        let harmonic = super::sample::trials(100, 42, |random| {
+            let (a, b) = (random.between(-60.0, -1.5), random.between(-60.0, -1.5));
+            let (found, right) = (halfway_on_screen(a, b), 2.0 / (a.recip() + b.recip()));
+            // Canonical z near −1 is known to 2⁻²⁴, and a unit there is worth z² / 2 world units.
+            Trial::new((found - right).abs() < 1e-2, format!("{found} instead of {right}"))
+        });
+        judge("camera z halfway on the screen is the mean of the ends", Some(ONE_DEPTH), &trials)
+            .with_right(
+                "by way of canonical z it is 2/(1/a + 1/b), as the intercept theorem has it",
+                &harmonic,
+            )
+            .compared(
+                "halfway on the screen between z = −2 and z = −50",
+                format!("z = {:.2}", slide_halfway(-2.0, -50.0)),
+                format!("z = {:.2}", halfway_on_screen(-2.0, -50.0)),
+            )
     },
     pictures: Some(samples::floor_pair),
 };

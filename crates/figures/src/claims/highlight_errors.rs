@@ -47,11 +47,19 @@ pub(super) static ALWAYS_POSITIVE: Claim = Claim {
         });
         let (e, l) = behind();
         let product = halfway(e, l).map_or(f32::NAN, |h| h.z);
-        judge("h·n > 0", Some(ON_THE_NORMALS_SIDE), &trials).compared(
-            "e ∝ (1, 0, 0.1), l ∝ (−0.5, 0, −0.2), n = z",
-            format!("h·n = {product:.3} and (h·n)¹⁰ = {:.3}", slide_blinn(Vec3::Z, l, e, 10.0)),
-            format!("highlight {:.3}: the light is behind the surface", blinn_highlight(Vec3::Z, l, e, 10.0)),
-        )
+        judge("h·n > 0", Some(ON_THE_NORMALS_SIDE), &trials)
+            .with_right(
+                "our highlight is 0 where the light is behind the surface, else (h·n)^p",
+                &gated(blinn_highlight, slide_blinn),
+            )
+            .compared(
+                "e ∝ (1, 0, 0.1), l ∝ (−0.5, 0, −0.2), n = z",
+                format!("h·n = {product:.3} and (h·n)¹⁰ = {:.3}", slide_blinn(Vec3::Z, l, e, 10.0)),
+                format!(
+                    "highlight {:.3}: the light is behind the surface",
+                    blinn_highlight(Vec3::Z, l, e, 10.0)
+                ),
+            )
     },
     pictures: Some(dark_side_pair),
 };
@@ -76,16 +84,28 @@ pub(super) static A_NUMBER: Claim = Claim {
         let (e, l) = behind();
         let slide = [11.0, 10.5].map(|p| slide_blinn(Vec3::Z, l, e, p));
         let right = [11.0, 10.5].map(|p| blinn_highlight(Vec3::Z, l, e, p));
-        judge("(h·n)^p is a number and not negative", Some(ON_THE_NORMALS_SIDE), &trials).compared(
-            "the same e and l, p = 11 and 10.5; then e = −l",
-            format!("{:.3} and {}; {}", slide[0], slide[1], slide_blinn(Vec3::Z, Vec3::X, Vec3::NEG_X, 10.0)),
-            format!(
-                "{} and {}; {}",
-                right[0],
-                right[1],
-                blinn_highlight(Vec3::Z, Vec3::X, Vec3::NEG_X, 10.0)
-            ),
-        )
+        let ours = super::sample::trials(300, 82, |random| {
+            let (e, l, p) = (random.direction(), random.direction(), random.between(0.5, 12.0));
+            let c = blinn_highlight(Vec3::Z, l, if random.below(9) == 0 { -l } else { e }, p);
+            Trial::new(c >= 0.0, format!("{c}"))
+        });
+        judge("(h·n)^p is a number and not negative", Some(ON_THE_NORMALS_SIDE), &trials)
+            .with_right("our highlight is a number and not negative", &ours)
+            .compared(
+                "the same e and l, p = 11 and 10.5; then e = −l",
+                format!(
+                    "{:.3} and {}; {}",
+                    slide[0],
+                    slide[1],
+                    slide_blinn(Vec3::Z, Vec3::X, Vec3::NEG_X, 10.0)
+                ),
+                format!(
+                    "{} and {}; {}",
+                    right[0],
+                    right[1],
+                    blinn_highlight(Vec3::Z, Vec3::X, Vec3::NEG_X, 10.0)
+                ),
+            )
     },
     pictures: None,
 };
@@ -94,6 +114,19 @@ fn number_trial(e: Vec3, l: Vec3, p: f32) -> Trial {
     let c = slide_blinn(Vec3::Z, l, e, p);
     let meets = e.z > 0.0 && l.z > 0.0;
     Trial::under(meets, c >= 0.0, format!("e = {}, l = {}, p = {p}: {c:.1e}", short(e), short(l)))
+}
+
+type Form = fn(Vec3, Vec3, Vec3, f32) -> f32;
+
+/// Trials of our form: nothing where the light is behind the surface, and the slide's number where eye and light are before it.
+fn gated(ours: Form, slide: Form) -> Vec<Trial> {
+    trials(300, 86, |random| {
+        let (e, l) = (random.direction_around(Vec3::Z), random.direction());
+        let c = ours(Vec3::Z, l, e, 9.0);
+        let right = if l.z > 0.0 { slide(Vec3::Z, l, e, 9.0) } else { 0.0 };
+        // A ninth power multiplies a rounding by nine.
+        Trial::new((c - right).abs() < 1e-5, format!("{c} instead of {right}"))
+    })
 }
 
 const SURFACE_LIT: &str = "n·l > 0";
@@ -124,6 +157,10 @@ pub(super) static REFLECTED_LEAKS: Claim = Claim {
         let l = vec3(-(1.0 - 0.17_f32.powi(2)).sqrt(), 0.0, -0.17);
         let e = vec3(0.997, 0.0, 0.0775).normalize();
         judge("the highlight is that of a surface that the light reaches", Some(SURFACE_LIT), &trials)
+            .with_right(
+                "our highlight is 0 where the light is behind the surface, else (e·r)^p",
+                &gated(phong_highlight, slide_phong),
+            )
             .compared(
                 format!("n·l = {:.2}, e·r = {:.2}, p = 10", l.z, e.dot(reflect(Vec3::Z, l))),
                 format!("{:.3}", slide_phong(Vec3::Z, l, e, 10.0)),
@@ -167,7 +204,7 @@ fn grazing_pair() -> Drawn {
     )
 }
 
-fn ball(highlight: fn(Vec3, Vec3, Vec3, f32) -> f32, to_light: Vec3) -> Image {
+fn ball(highlight: Form, to_light: Vec3) -> Image {
     let pipeline = pipeline((vec3(0.0, 0.0, 4.0), Vec3::ZERO), 0.6, (-1.0, -9.0), SIZE);
     let sphere = Sphere::new(Vec3::ZERO, 1.0);
     Image::from_fn(SIZE.0, SIZE.1, |i, j| {

@@ -102,6 +102,8 @@ pub struct Examination {
     pub verdict: Verdict,
     /// What backs it, the strongest first.
     pub evidence: Vec<Evidence>,
+    /// Whether the right version passed its own trials; `true` where it was not put on trial.
+    pub right_holds: bool,
 }
 
 impl Examination {
@@ -123,6 +125,16 @@ impl Examination {
         self.and(Evidence::Comparison { input: input.into(), slide: slide.into(), right: right.into() })
     }
 
+    /// The same with the right version on trial. Unless it holds in each, the claim is not as expected, whatever becomes
+    /// of the slide's version.
+    #[must_use]
+    pub fn with_right(mut self, sentence: &str, trials: &[Trial]) -> Self {
+        let right = judge(sentence, None, trials);
+        self.right_holds &= right.verdict == Verdict::Holds;
+        self.evidence.extend(right.evidence);
+        self
+    }
+
     /// The same with one more measurement.
     #[must_use]
     pub fn noted(self, numbers: impl Into<String>) -> Self {
@@ -134,7 +146,11 @@ impl Examination {
 #[must_use]
 pub fn measured(is_as_the_sentence_says: bool, numbers: impl Into<String>) -> Examination {
     let verdict = if is_as_the_sentence_says { Verdict::Holds } else { Verdict::Refuted };
-    Examination { verdict, evidence: vec![Evidence::Measurement { numbers: numbers.into() }] }
+    Examination {
+        verdict,
+        evidence: vec![Evidence::Measurement { numbers: numbers.into() }],
+        right_holds: true,
+    }
 }
 
 /// The verdict that trials lead to. No failure: it holds. Failures, but none where the condition is met (and it is met
@@ -152,6 +168,7 @@ pub fn judge(sentence: &str, condition: Option<&'static str>, trials: &[Trial]) 
         return Examination {
             verdict: Verdict::Holds,
             evidence: vec![law(sentence.to_owned(), trials.len())],
+            right_holds: true,
         };
     };
     let counterexample =
@@ -162,8 +179,9 @@ pub fn judge(sentence: &str, condition: Option<&'static str>, trials: &[Trial]) 
         Some(condition) if met > 0 && !fails_although_met => Examination {
             verdict: Verdict::HoldsIf(condition),
             evidence: vec![law(format!("{sentence}, if {condition}"), met), counterexample],
+            right_holds: true,
         },
-        _ => Examination { verdict: Verdict::Refuted, evidence: vec![counterexample] },
+        _ => Examination { verdict: Verdict::Refuted, evidence: vec![counterexample], right_holds: true },
     }
 }
 
@@ -189,5 +207,13 @@ mod tests {
     fn a_counterexample_is_shown_with_its_numbers() {
         let examination = judge("x is small", None, &[trial(true, true), trial(false, true)]);
         assert_eq!(examination.evidence[0].to_string(), "x = 7 (1 of 2 trials fail)");
+    }
+
+    #[test]
+    fn a_right_version_that_fails_is_not_passed_over() {
+        let slide = || judge("x is small", None, &[trial(false, true)]);
+        assert!(slide().with_right("x is 7", &[trial(true, true)]).right_holds);
+        let wrong = slide().with_right("x is 7", &[trial(true, true), trial(false, true)]);
+        assert_eq!((wrong.verdict, wrong.right_holds), (Verdict::Refuted, false));
     }
 }

@@ -60,10 +60,10 @@ pub struct Report {
 }
 
 impl Report {
-    /// Whether the verdict is the expected one.
+    /// Whether the verdict is the expected one, and the right version passed wherever it was tried.
     #[must_use]
     pub fn is_as_expected(&self) -> bool {
-        self.examination.verdict == self.claim.expected
+        self.examination.verdict == self.claim.expected && self.examination.right_holds
     }
 }
 

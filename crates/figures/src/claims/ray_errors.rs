@@ -17,7 +17,7 @@ use crate::{Drawing, Drawn};
 
 /// The listing, word by word: comparisons that reject, and no test for a parallel ray.
 #[expect(clippy::manual_range_contains, reason = "as on the slide; a range would reject NaN")]
-fn slide_raytri(ray: &Ray, triangle: &Triangle, t0: f32, t1: f32) -> bool {
+pub(super) fn slide_raytri(ray: &Ray, triangle: &Triangle, t0: f32, t1: f32) -> bool {
     let (to_b, to_c, d) = (triangle.a - triangle.b, triangle.a - triangle.c, ray.direction);
     let to_e = triangle.a - ray.origin;
     let determinant = to_b.dot(to_c.cross(d));
@@ -72,11 +72,17 @@ pub(super) static PARALLEL: Claim = Claim {
         });
         // Beside the triangle, and away from it.
         let ray = Ray::new(vec3(-3.0, -2.0, 0.0), vec3(-1.0, 0.0, 0.0));
-        judge("the listing says whether the ray hits", Some(NOT_PARALLEL), &trials).compared(
-            "a ray in the triangle's plane that starts beside it and leads away",
-            format!("{}", slide_raytri(&ray, &triangle, 0.0, 99.0)),
-            format!("{:?}", raytri(&ray, &triangle, 0.0, 99.0)),
-        )
+        let parallel = super::sample::trials(100, 126, |random| {
+            let ray = Ray::new(random.point(9.0).with_z(0.0), random.direction().with_z(0.0));
+            Trial::new(raytri(&ray, &triangle, 0.0, 99.0).is_none(), "a parallel ray hits")
+        });
+        judge("the listing says whether the ray hits", Some(NOT_PARALLEL), &trials)
+            .with_right("our raytri finds no hit for a ray in the plane", &parallel)
+            .compared(
+                "a ray in the triangle's plane that starts beside it and leads away",
+                format!("{}", slide_raytri(&ray, &triangle, 0.0, 99.0)),
+                format!("{:?}", raytri(&ray, &triangle, 0.0, 99.0)),
+            )
     },
     pictures: None,
 };
@@ -152,11 +158,14 @@ pub(super) static SHADOW_FROM_ZERO: Claim = Claim {
             ours_lost += usize::from(!is_lit(&world, &ray, &hit, &sun(to_light)));
             Trial::new(slide, format!("a lit point at {} is called dark", hit.point))
         });
-        judge("a point of a ball that faces the light is lit", None, &trials).compared(
-            "1000 points of a lone ball that face the light",
-            format!("{lost} in shadow"),
-            format!("{ours_lost} in shadow, with an offset"),
-        )
+        let offset = [Trial::new(ours_lost == 0, format!("{ours_lost} points lost"))];
+        judge("a point of a ball that faces the light is lit", None, &trials)
+            .with_right("with an offset all 1000 points are lit", &offset)
+            .compared(
+                "1000 points of a lone ball that face the light",
+                format!("{lost} in shadow"),
+                format!("{ours_lost} in shadow, with an offset"),
+            )
     },
     pictures: Some(acne_pair),
 };
@@ -212,11 +221,15 @@ pub(super) static BEYOND_THE_LAMP: Claim = Claim {
             )
         });
         let lit = |pick: fn(&(bool, bool)) -> bool| results.iter().filter(|r| pick(r)).count();
-        judge("t in [0, ∞] finds what shades a point from a lamp", Some(NOTHING_BEHIND), &trials).compared(
-            format!("{} points under a lamp that hangs before a wall", results.len()),
-            format!("{} lit", lit(|r| r.0)),
-            format!("{} lit", lit(|r| r.1)),
-        )
+        let ends: Vec<Trial> =
+            results.iter().map(|(_, right)| Trial::new(*right, "a lit point is dark")).collect();
+        judge("t in [0, ∞] finds what shades a point from a lamp", Some(NOTHING_BEHIND), &trials)
+            .with_right("a ray that ends at the lamp finds the point lit", &ends)
+            .compared(
+                format!("{} points under a lamp that hangs before a wall", results.len()),
+                format!("{} lit", lit(|r| r.0)),
+                format!("{} lit", lit(|r| r.1)),
+            )
     },
     pictures: None,
 };
@@ -270,11 +283,17 @@ fn viewing_interval() -> Examination {
     });
     let seen = |seen: bool| if seen { "seen" } else { "not seen" };
     let (slide, right, _) = who_sees(&pipeline, 0.5);
-    judge("rays with t in [0, ∞] see what the z-buffer sees", Some(IN_THE_VOLUME), &trials).compared(
-        "a wall half way to the near plane",
-        seen(slide),
-        format!("{} with t from 1 to f/n, as by the z-buffer", seen(right)),
-    )
+    let limited = super::sample::trials(100, 125, |random| {
+        let (_, by_us, by_buffer) = who_sees(&pipeline, random.between(0.2, 15.0));
+        Trial::new(by_us == by_buffer, "seen by one only")
+    });
+    judge("rays with t in [0, ∞] see what the z-buffer sees", Some(IN_THE_VOLUME), &trials)
+        .with_right("rays with t from 1 to f/n see what the z-buffer sees", &limited)
+        .compared(
+            "a wall half way to the near plane",
+            seen(slide),
+            format!("{} with t from 1 to f/n, as by the z-buffer", seen(right)),
+        )
 }
 
 /// Whether a wall across the gaze is seen by rays with t in [0, ∞], by rays with t in (1, f/n), and by the z-buffer.

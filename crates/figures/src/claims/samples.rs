@@ -3,11 +3,12 @@
 use canvas::{Image, Rgb};
 use geometry::{Barycentric, Ray, Triangle};
 use glam::{Vec2, Vec3, vec2, vec3};
-use raytrace::triangle::{cramer, raytri, system, watertight};
+use raytrace::triangle::{cramer, system, watertight};
 use transforms::Pipeline;
 use zbuffer::{Fragment, ScreenTriangle, project, rasterize};
 
 use super::flat::triangle;
+use super::ray_errors::slide_raytri;
 use super::sample::{pipeline, trials};
 use super::stage::{SIZE, SKY};
 use super::{Claim, Trial, Verdict, judge, pair, text};
@@ -64,7 +65,7 @@ fn slide_strict(ray: &Ray, triangle: &Triangle) -> bool {
 }
 
 fn slide_inclusive(ray: &Ray, triangle: &Triangle) -> bool {
-    raytri(ray, triangle, 0.0, f32::INFINITY).is_some()
+    slide_raytri(ray, triangle, 0.0, f32::INFINITY)
 }
 
 /// Points of the square on a grid of eighths, which are exact: each seventh of them on the diagonal.
@@ -84,7 +85,23 @@ fn ownership(test: fn(&Ray, &Triangle) -> bool) -> super::Examination {
     let sum = |test: &dyn Fn(&Ray, &Triangle) -> bool| -> usize {
         points().into_iter().filter(|p| p.x == p.y).map(|p| owners(test, p)).sum()
     };
+    let mut ours: Vec<Trial> = points()
+        .into_iter()
+        .map(|p| Trial::new(owners(right, p) == 1, format!("{p} lies in {} triangles", owners(right, p))))
+        .collect();
+    let mut pixels = Vec::new();
+    for triangle in &square_at(5.0) {
+        rasterize(triangle, 32, 24, |f| pixels.push((f.i, f.j)));
+    }
+    let drawn = pixels.len();
+    pixels.sort_unstable();
+    pixels.dedup();
+    ours.push(Trial::new(
+        drawn == 64 && pixels.len() == 64,
+        format!("{drawn} fragments, {} pixels", pixels.len()),
+    ));
     judge("a point of the square lies in exactly one of its two triangles", Some(OFF_THE_EDGE), &trials)
+        .with_right("by the watertight test and by the top-left rule it does, on the edge too", &ours)
         .compared(
             "7 rays at the common edge of two triangles",
             format!("{} hits", sum(&test)),

@@ -32,11 +32,22 @@ pub(super) static ORDER_OF_FACTORS: Claim = Claim {
             )
         });
         let p = vec3(1.0, 0.5, 0.0);
-        judge("the printed product finds the pixel", None, &trials).compared(
-            format!("the point {}", short(p)),
-            short(slide.project_point3(p)),
-            short(right.project_point3(p)),
-        )
+        let traced = super::sample::trials(50, 18, |random| {
+            let p = random.point(2.0);
+            let screen = pipeline.trace(p).screen.unwrap_or(Vec3::NAN);
+            // One product of six matrices against one step at a time, on a screen of 640 pixels.
+            Trial::new(
+                right.project_point3(p).abs_diff_eq(screen, 1e-2),
+                format!("{} goes to {}", short(p), short(screen)),
+            )
+        });
+        judge("the printed product finds the pixel", None, &trials)
+            .with_right("V·S·C·P·R·T finds the pixel that the stages find one by one", &traced)
+            .compared(
+                format!("the point {}", short(p)),
+                short(slide.project_point3(p)),
+                short(right.project_point3(p)),
+            )
     },
     pictures: None,
 };
@@ -120,11 +131,22 @@ pub(super) static CLIP_W_NEGATIVE: Claim = Claim {
             )
         });
         let clip = m * vec4(0.4, 0.5, -4.0, 1.0);
-        judge("visible points pass −w ≤ x, y, z ≤ w", None, &trials).compared(
-            "the point (0.4, 0.5, −4)",
-            format!("w = {:.2}: {}", clip.w, inside(slide_is_inside(clip))),
-            format!("with the matrix negated, w = {:.2}: {}", -clip.w, inside(slide_is_inside(-clip))),
-        )
+        let negated = super::sample::trials(200, 13, |random| {
+            let out = random.between(1.0, 8.9);
+            let on_window = vec2(random.between(-1.4, 0.9), random.between(-0.9, 1.9));
+            let p = (on_window * out).extend(-out - 0.01);
+            Trial::new(
+                slide_is_inside(-(m * p.extend(1.0))),
+                format!("visible point {} is cut away", short(p)),
+            )
+        });
+        judge("visible points pass −w ≤ x, y, z ≤ w", None, &trials)
+            .with_right("visible points pass once the matrix is negated", &negated)
+            .compared(
+                "the point (0.4, 0.5, −4)",
+                format!("w = {:.2}: {}", clip.w, inside(slide_is_inside(clip))),
+                format!("with the matrix negated, w = {:.2}: {}", -clip.w, inside(slide_is_inside(-clip))),
+            )
     },
     pictures: Some(stage::clipping_pair),
 };
@@ -201,11 +223,19 @@ pub(super) static WINDOW_POINT: Claim = Claim {
             Trial::under(eye == Vec3::ZERO, slide.abs_diff_eq(ray.at(1.0), 1e-5), numbers)
         });
         let (ray, slide) = ray_and_slide(vec3(5.0, 1.0, 4.0), vec3(6.0, -1.0, -1.0));
-        judge("s is the point of the world that the ray passes", Some(EYE_AT_ORIGIN), &trials).compared(
-            "the eye at (5, 1, 4)",
-            short(slide),
-            short(ray.at(1.0)),
-        )
+        let in_camera = super::sample::trials(80, 15, |random| {
+            let (eye, target) = (random.point(5.0), random.point(5.0) - 9.0 * Vec3::Z);
+            let pipeline = pipeline((eye, target), 0.8, (-1.0, -9.0), (64, 48));
+            let s = pipeline
+                .trace(raytrace::viewing_ray(&pipeline, 50.0, 10.0).at(1.0))
+                .screen
+                .unwrap_or(Vec3::NAN);
+            // World coordinates up to 20, times some fifty pixels a unit.
+            Trial::new(s.abs_diff_eq(vec3(50.0, 10.0, 1.0), 1e-3), format!("e + … is seen at {}", short(s)))
+        });
+        judge("s is the point of the world that the ray passes", Some(EYE_AT_ORIGIN), &trials)
+            .with_right("e + u_s u + v_s v + n w is seen in pixel (50, 10)", &in_camera)
+            .compared("the eye at (5, 1, 4)", short(slide), short(ray.at(1.0)))
     },
     pictures: None,
 };
@@ -247,11 +277,21 @@ pub(super) static CORNER: Claim = Claim {
             )
         });
         let pixel = vec3(7.0, 3.0, 1.0);
-        judge("the three factors give the printed product", None, &trials).compared(
-            "pixel (7, 3) of 30 × 15 in the window [−2, 1] × [−1, 2]",
-            short(slide * pixel),
-            short(right * pixel),
-        )
+        let with_one = super::sample::trials(50, 16, |random| {
+            let (i, j) = (random.below(30) as f32, random.below(15) as f32);
+            let s = transforms::viewport::window_point(&volume, 30, 15, vec2(i, j));
+            Trial::new(
+                (right * vec3(i, j, 1.0)).abs_diff_eq(s.extend(1.0), 1e-5),
+                format!("pixel ({i}, {j})"),
+            )
+        });
+        judge("the three factors give the printed product", None, &trials)
+            .with_right("with 1 in the corner they give (u_s, v_s, 1)", &with_one)
+            .compared(
+                "pixel (7, 3) of 30 × 15 in the window [−2, 1] × [−1, 2]",
+                short(slide * pixel),
+                short(right * pixel),
+            )
     },
     pictures: Some(stage::window_pair),
 };
