@@ -32,6 +32,18 @@ pub struct Trial {
     pub numbers: String,
 }
 
+impl Trial {
+    /// A trial of a sentence without a condition.
+    pub fn new(holds: bool, numbers: impl Into<String>) -> Self {
+        Self::under(true, holds, numbers)
+    }
+
+    /// A trial of a sentence with a condition, which this input meets or not.
+    pub fn under(meets_condition: bool, holds: bool, numbers: impl Into<String>) -> Self {
+        Self { holds, meets_condition, numbers: numbers.into() }
+    }
+}
+
 /// What backs a verdict.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Evidence {
@@ -56,6 +68,15 @@ pub enum Evidence {
         /// What was measured, and how much it is.
         numbers: String,
     },
+    /// The slide's version and the right one, run on one input.
+    Comparison {
+        /// The input.
+        input: String,
+        /// What the slide's version gave.
+        slide: String,
+        /// What the right version gave.
+        right: String,
+    },
 }
 
 impl std::fmt::Display for Evidence {
@@ -67,6 +88,9 @@ impl std::fmt::Display for Evidence {
                 write!(f, "{numbers} ({failures} of {trials} trials fail)")
             }
             Self::Measurement { numbers } => f.write_str(numbers),
+            Self::Comparison { input, slide, right } => {
+                write!(f, "{input}: the slide gives {slide}, right is {right}")
+            }
         }
     }
 }
@@ -78,6 +102,8 @@ pub struct Examination {
     pub verdict: Verdict,
     /// What backs it, the strongest first.
     pub evidence: Vec<Evidence>,
+    /// Whether the right version passed its own trials; `true` where it was not put on trial.
+    pub right_holds: bool,
 }
 
 impl Examination {
@@ -86,6 +112,44 @@ impl Examination {
     pub fn and(mut self, evidence: Evidence) -> Self {
         self.evidence.push(evidence);
         self
+    }
+
+    /// The same with what the slide's version and the right one gave on one input.
+    #[must_use]
+    pub fn compared(
+        self,
+        input: impl Into<String>,
+        slide: impl Into<String>,
+        right: impl Into<String>,
+    ) -> Self {
+        self.and(Evidence::Comparison { input: input.into(), slide: slide.into(), right: right.into() })
+    }
+
+    /// The same with the right version on trial. Unless it holds in each, the claim is not as expected, whatever becomes
+    /// of the slide's version.
+    #[must_use]
+    pub fn with_right(mut self, sentence: &str, trials: &[Trial]) -> Self {
+        let right = judge(sentence, None, trials);
+        self.right_holds &= right.verdict == Verdict::Holds;
+        self.evidence.extend(right.evidence);
+        self
+    }
+
+    /// The same with one more measurement.
+    #[must_use]
+    pub fn noted(self, numbers: impl Into<String>) -> Self {
+        self.and(Evidence::Measurement { numbers: numbers.into() })
+    }
+}
+
+/// The verdict of one measurement: what was measured either is what the sentence says or is not.
+#[must_use]
+pub fn measured(is_as_the_sentence_says: bool, numbers: impl Into<String>) -> Examination {
+    let verdict = if is_as_the_sentence_says { Verdict::Holds } else { Verdict::Refuted };
+    Examination {
+        verdict,
+        evidence: vec![Evidence::Measurement { numbers: numbers.into() }],
+        right_holds: true,
     }
 }
 
@@ -104,6 +168,7 @@ pub fn judge(sentence: &str, condition: Option<&'static str>, trials: &[Trial]) 
         return Examination {
             verdict: Verdict::Holds,
             evidence: vec![law(sentence.to_owned(), trials.len())],
+            right_holds: true,
         };
     };
     let counterexample =
@@ -114,8 +179,9 @@ pub fn judge(sentence: &str, condition: Option<&'static str>, trials: &[Trial]) 
         Some(condition) if met > 0 && !fails_although_met => Examination {
             verdict: Verdict::HoldsIf(condition),
             evidence: vec![law(format!("{sentence}, if {condition}"), met), counterexample],
+            right_holds: true,
         },
-        _ => Examination { verdict: Verdict::Refuted, evidence: vec![counterexample] },
+        _ => Examination { verdict: Verdict::Refuted, evidence: vec![counterexample], right_holds: true },
     }
 }
 
@@ -141,5 +207,13 @@ mod tests {
     fn a_counterexample_is_shown_with_its_numbers() {
         let examination = judge("x is small", None, &[trial(true, true), trial(false, true)]);
         assert_eq!(examination.evidence[0].to_string(), "x = 7 (1 of 2 trials fail)");
+    }
+
+    #[test]
+    fn a_right_version_that_fails_is_not_passed_over() {
+        let slide = || judge("x is small", None, &[trial(false, true)]);
+        assert!(slide().with_right("x is 7", &[trial(true, true)]).right_holds);
+        let wrong = slide().with_right("x is 7", &[trial(true, true), trial(false, true)]);
+        assert_eq!((wrong.verdict, wrong.right_holds), (Verdict::Refuted, false));
     }
 }

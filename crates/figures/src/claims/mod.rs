@@ -3,9 +3,27 @@
 //! A [`Claim`] examines itself: it tries the sentence on many inputs, or measures. The [`Verdict`] is reached by
 //! [`judge`], never typed in; what is typed in is what we expect, so that a change in the code that turns a verdict is seen.
 
+mod cost;
+mod depth;
+mod diffuse;
+mod flat;
+mod highlight;
+mod highlight_errors;
 mod judgement;
+mod occlusion;
+mod pros_and_cons;
+mod ray_errors;
+mod ray_pictures;
+mod rays;
+mod sample;
+mod samples;
+mod shaded;
+mod stage;
+mod transform_errors;
+mod transform_laws;
+mod words;
 
-pub use judgement::{Evidence, Examination, Trial, Verdict, judge};
+pub use judgement::{Evidence, Examination, Trial, Verdict, judge, measured};
 
 use crate::figure::{Drawing, Text};
 
@@ -42,10 +60,10 @@ pub struct Report {
 }
 
 impl Report {
-    /// Whether the verdict is the expected one.
+    /// Whether the verdict is the expected one, and the right version passed wherever it was tried.
     #[must_use]
     pub fn is_as_expected(&self) -> bool {
-        self.examination.verdict == self.claim.expected
+        self.examination.verdict == self.claim.expected && self.examination.right_holds
     }
 }
 
@@ -84,7 +102,100 @@ pub fn find(asked: &str) -> Vec<&'static Claim> {
     all().into_iter().filter(|claim| claim.is_called(asked)).collect()
 }
 
-static ALL: &[&Claim] = &[];
+static ALL: &[&Claim] = &[
+    &transform_laws::CAMERA_IS_RIGID,
+    &transform_laws::DEPTH_ORDER,
+    &transform_laws::LINES,
+    &transform_laws::BOX_TO_CUBE,
+    &transform_laws::CAMERA_FRAME,
+    &transform_laws::ROTATION_ABOUT_A_POINT,
+    &transform_laws::CHANGE_OF_BASIS,
+    &transform_laws::INVERSE_CHANGE,
+    &transform_errors::ORDER_OF_FACTORS,
+    &transform_errors::R_MINUS_ONE,
+    &transform_errors::CLIP_W_NEGATIVE,
+    &transform_errors::OPENGL,
+    &transform_errors::WINDOW_POINT,
+    &transform_errors::CORNER,
+    &transform_errors::HANDEDNESS,
+    &occlusion::PAINTER,
+    &occlusion::SORTED_BY_DEPTH,
+    &occlusion::CYCLES,
+    &occlusion::DRAWN_LAST,
+    &occlusion::ORDER_OF_DRAWING,
+    &occlusion::FOUR_GRIDS,
+    &pros_and_cons::MEMORY,
+    &pros_and_cons::HARDWARE,
+    &pros_and_cons::ANY_NUMBER,
+    &pros_and_cons::SIMPLE,
+    &pros_and_cons::TRANSPARENCY,
+    &pros_and_cons::FIGHTING,
+    &depth::INTERPOLATED,
+    &depth::NEAR_SIMILAR,
+    &depth::TWO_LOOPS,
+    &depth::CAMERA_DEPTH,
+    &depth::SAVED_DEPTH,
+    &depth::SHADED_AGAIN,
+    &samples::INSIDE,
+    &samples::STRICT,
+    &samples::INCLUSIVE,
+    &diffuse::THREE_PARTS,
+    &diffuse::SUM,
+    &diffuse::SAME_FROM_EVERYWHERE,
+    &diffuse::COSINE,
+    &diffuse::FACING_AWAY,
+    &diffuse::BLACK_SHADOWS,
+    &diffuse::ANGLE,
+    &diffuse::NO_FALLOFF,
+    &diffuse::BETWEEN_0_AND_1,
+    &highlight::LIGHTS_COLOUR,
+    &highlight::MAY_BE_NEGATIVE,
+    &highlight::TOO_WIDE,
+    &highlight::NARROWER,
+    &highlight::HALFWAY,
+    &highlight::EMPIRICAL,
+    &highlight::LOCAL,
+    &highlight_errors::ALWAYS_POSITIVE,
+    &highlight_errors::A_NUMBER,
+    &highlight_errors::REFLECTED_LEAKS,
+    &highlight_errors::SAME_HIGHLIGHT,
+    &cost::R_IS_EXPENSIVE,
+    &shaded::GOURAUD_IS_AFFINE,
+    &shaded::FINER_MESH,
+    &shaded::PHONG_SHADING,
+    &shaded::MISSED_HIGHLIGHT,
+    &shaded::TWO_PHONGS,
+    &shaded::NOT_UNIT,
+    &rays::FIRST_HIT,
+    &rays::PICKING,
+    &rays::RAY_ENDS,
+    &rays::NEARER_AND_BEHIND,
+    &rays::THE_SYSTEM,
+    &rays::THREE_SOLVERS,
+    &rays::VIEW_VOLUME,
+    &rays::EARLY_EXITS,
+    &rays::WORKED_EXAMPLE,
+    &ray_errors::PARALLEL,
+    &ray_errors::RETURNS_NO_T,
+    &ray_errors::SHADOW_FROM_ZERO,
+    &ray_errors::BEYOND_THE_LAMP,
+    &ray_errors::VIEWING_INTERVAL,
+    &ray_pictures::RENDER_LOOP,
+    &ray_pictures::SHADOW_RAYS,
+    &ray_pictures::RAYCOLOR,
+    &ray_pictures::RECURSION_ENDS,
+    &ray_pictures::SNELL,
+    &words::ONE_LETTER,
+    &shaded::CAPTION,
+    &words::MATT,
+    &words::LOST_ROW,
+    &words::ROWS,
+];
+
+/// The same words in English and Dutch.
+const fn text(en: &'static str, nl: &'static str) -> Text {
+    Text { en, nl }
+}
 
 /// The slide's version beside the right one.
 pub(crate) fn pair(slide: Drawing, right: Drawing) -> crate::Drawn {
