@@ -156,3 +156,16 @@ fn a_mesh_too_small_for_the_boxes_arithmetic_still_throws_a_shadow() {
     assert!(nearest(&world, &ray, 0.0, f32::INFINITY).is_some());
     assert!(any_hit(&world, &ray, 0.0, f32::INFINITY));
 }
+
+#[test]
+fn glass_bends_a_ray_about_the_smooth_normal() {
+    let n = vec3(0.3, 0.0, 1.0).normalize();
+    let bent = optics::refracted(Vec3::NEG_Z, n, 1.5_f32.recip()).unwrap();
+    // Bent by 16.7° − 11.0°: two units farther that is 0.2 beside the straight way.
+    assert!(bent.x < -0.09);
+    let lamp = Surface::opaque(Material::matt(Rgb::ONE));
+    let ball = object(Shape::Sphere(Sphere::new(2.0 * bent, 0.05)), lamp);
+    let world =
+        World::new(vec![tilted([0, 1, 2], n, glass(1.5)), ball], vec![Light::Ambient { color: Rgb::ONE }]);
+    assert!(color(&world, Ray::new(3.0 * Vec3::Z, Vec3::NEG_Z)).x > 0.9);
+}
