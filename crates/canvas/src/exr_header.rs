@@ -133,8 +133,10 @@ mod tests {
         let window = file_and_window().1 - START;
         wide[window + 8..][..4].copy_from_slice(&6_i32.to_le_bytes());
         let version = (2 | SEVERAL_PARTS).to_le_bytes();
-        let file = [&one_part[..4], &version, header, &wide, &[0]].concat();
-        assert_eq!(claims(&file).map(|claims| claims.bytes), Some(4 * 3 * 7 * 3));
+        for parts in [[header, &wide], [&wide, header]] {
+            let file = [&one_part[..4], &version, parts[0], parts[1], &[0]].concat();
+            assert_eq!(claims(&file).map(|claims| claims.bytes), Some(4 * 3 * 7 * 3));
+        }
     }
 
     #[test]

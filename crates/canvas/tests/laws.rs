@@ -1,6 +1,6 @@
 //! What holds for every colour and every picture.
 
-use canvas::{Format, Image, Rgb, codec, difference, side_by_side, srgb};
+use canvas::{DepthImage, Format, Image, Rgb, codec, difference, side_by_side, srgb};
 use proptest::prelude::*;
 use testkit::{Law, ensure, ensure_close};
 
@@ -212,4 +212,37 @@ fn each_picture_is_found_again_in_the_row() {
             ensure(gaps == rest, || format!("{gaps} pixels of the gap's colour, {rest} expected"))
         },
     );
+}
+
+#[test]
+fn a_large_pixel_is_the_mean_of_its_small_ones() {
+    let image = Image::from_fn(6, 4, |i, j| Rgb::new(i as f32, j as f32, (5 * i + 3 * j) as f32));
+    let half = image.box_downsampled(2);
+    assert_eq!((half.width(), half.height()), (3, 2));
+    // Columns 4 and 5, rows 2 and 3 from below.
+    assert_eq!(half.get(2, 1), Rgb::new(4.5, 2.5, 5.0 * 4.5 + 3.0 * 2.5));
+    assert_eq!(image.box_downsampled(1), image);
+}
+
+#[test]
+fn the_farthest_depth_is_told_from_nothing() {
+    let mut depths = DepthImage::new(3, 2);
+    for (i, j, depth) in [(0, 0, -0.75), (1, 1, 0.5), (2, 0, 0.0)] {
+        depths.set(i, j, depth);
+    }
+    let grey = depths.to_image();
+    assert_eq!((grey.get(1, 1), grey.get(1, 0)), (Rgb::ONE, Rgb::ZERO));
+    assert!(grey.get(0, 0).min_element() > 0.02, "the farthest is {}", grey.get(0, 0));
+    assert!(grey.get(0, 0).x < grey.get(2, 0).x && grey.get(2, 0).x < 1.0);
+}
+
+#[test]
+fn of_equal_differences_the_first_in_reading_order_is_named() {
+    let a = Image::new(4, 3, Rgb::new(0.2, 0.5, 0.3));
+    let mut b = a.clone();
+    for (i, j) in [(3, 0), (2, 1), (1, 2)] {
+        b.set(i, j, Rgb::ZERO);
+    }
+    // j runs upwards: row 2 is the first.
+    assert_eq!(difference(&a, &b, 0.1).unwrap().greatest_at, Some((1, 2)));
 }

@@ -92,6 +92,64 @@ fn lambert_falls_with_the_cosine_not_with_the_angle() {
 }
 
 #[test]
+fn the_slides_light_by_angle_is_not_the_light_that_arrives() {
+    // E6: a beam of width 1 that falls in at an angle θ is spread over 1/cos θ of the surface, so cos θ arrives on each
+    // unit of it. The slide's 1 − θ/90° is the same at 0° and at 90°, and nowhere between.
+    for degrees in [10.0_f32, 25.0, 45.0, 60.0, 80.0] {
+        let theta = degrees.to_radians();
+        let to_light = Vec3::new(theta.sin(), 0.0, theta.cos());
+        let (slide, ours) = (1.0 - degrees / 90.0, lambert(Vec3::Z, to_light));
+        // The beam's edges meet the surface z = 0 this far apart: the one through the origin, and the one beside it.
+        let spread = 1.0 / to_light.z;
+        assert!((ours * spread - 1.0).abs() < 4.0 * EPS, "{degrees}°: {ours} on {spread}");
+        assert!((slide * spread - 1.0).abs() > 0.09, "{degrees}°: by angle {slide} on {spread}");
+    }
+}
+
+#[test]
+fn a_lamp_is_as_bright_from_afar_as_from_near() {
+    // E6: the lecture has no falloff with distance, and neither have we. In truth a lamp a hundred times as far away gives
+    // a ten-thousandth.
+    let color = |distance: f32| {
+        let lamp =
+            Light::Point { position: distance * Vec3::new(0.6, 0.0, 0.8), color: Rgb::new(0.9, 0.7, 0.5) };
+        let at = SurfacePoint { p_world: Vec3::ZERO, n: Vec3::Z, to_eye: Vec3::new(0.0, 0.6, 0.8) };
+        lit(&Material::new(Rgb::new(0.3, 0.5, 0.8), 20.0), &[lamp], Highlight::Blinn, &at, |_| true)
+    };
+    assert!(color(3.0).min_element() > 0.1);
+    // The position is rounded once, and normalized in f64: two roundings of the direction, times p = 20 in the highlight.
+    testkit::assert_close("from afar", color(300.0), color(3.0), 20.0 * 4.0 * EPS);
+}
+
+#[test]
+fn a_matt_white_surface_scatters_all_that_falls_on_it_and_absorbs_nothing() {
+    // E18: the slide says "mat = geabsorbeerd". Then a matt white wall would be black.
+    let white = Material::matt(Rgb::ONE);
+    Law::new("matt white sends what arrives to all sides")
+        .demand("lit", 0.3)
+        .demand("grazing eye", 0.05)
+        .holds_for(directions(), |(n, to_light, to_eye), seen| {
+            let to_eye = if n.dot(to_eye) < 0.0 { -to_eye } else { to_eye };
+            let light = Illumination { to_light, distance: 1.0, color: Rgb::ONE };
+            let arriving = Rgb::splat(lambert(n, to_light));
+            seen.class("lit", arriving != Rgb::ZERO);
+            seen.class("grazing eye", n.dot(to_eye) < 0.1);
+            for scattered in [phong(&white, n, to_eye, &light), blinn_phong(&white, n, to_eye, &light)] {
+                ensure(scattered == arriving, || format!("{scattered} of {arriving}"))?;
+            }
+            Ok(())
+        });
+    // What absorbs is black, however smooth.
+    let black = phong(
+        &Material::matt(Rgb::ZERO),
+        Vec3::Z,
+        Vec3::Z,
+        &Illumination { to_light: Vec3::Z, distance: 1.0, color: Rgb::ONE },
+    );
+    assert_eq!(black, Rgb::ZERO);
+}
+
+#[test]
 fn diffuse_light_is_the_same_from_every_direction() {
     Law::new("a matt surface looks the same from everywhere (L26)").demand("lit", 0.3).holds_for(
         (directions(), strategy::unit_vector(), color()),

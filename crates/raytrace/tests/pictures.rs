@@ -188,6 +188,24 @@ fn only_what_lies_between_near_and_far_plane_is_seen() {
 }
 
 #[test]
+fn a_pixel_is_the_mean_of_the_centres_of_its_parts() {
+    let (world, pipeline) = (medley(), looking(vec3(0.5, 2.0, 6.0), vec3(0.1, 0.4, 0.0), 12));
+    let (t0, t1) = raytrace::visible_interval(&pipeline.volume());
+    // The centres of n parts of the interval from −½ to ½.
+    for centres in [&[0.0_f32][..], &[-0.25, 0.25], &[-0.375, -0.125, 0.125, 0.375]] {
+        let n = centres.len() as u32;
+        let settings = Settings { samples: n, ..Settings::default() };
+        let image = render(&world, &pipeline, &settings, &|_| ());
+        for (i, j) in [(2, 3), (7, 5), (10, 1)] {
+            let places = centres.iter().flat_map(|dj| centres.iter().map(move |di| (*di, *dj)));
+            let ray = |(di, dj)| raytrace::viewing_ray(&pipeline, i as f32 + di, j as f32 + dj);
+            let sum: Rgb = places.map(|at| raytrace::ray_color(&world, &ray(at), t0, t1, &settings)).sum();
+            assert_eq!(image.get(i, j), sum / (n * n) as f32, "{n} × {n} samples");
+        }
+    }
+}
+
+#[test]
 fn more_samples_soften_an_edge() {
     let ball = Shape::Sphere(Sphere::new(Vec3::ZERO, 1.0));
     let surface = Surface::opaque(Material::matt(Rgb::ONE));

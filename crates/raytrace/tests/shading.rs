@@ -45,8 +45,13 @@ fn model(p_world: Vec3, n: Vec3, eye: Vec3) -> Rgb {
     lit(&surface().material, &lamps(), Highlight::Blinn, &at, |_| true)
 }
 
-/// The lighting model itself rounds a few dozen times, and its highlight multiplies an error of the cosine by p = 12.
-const MODEL: f32 = 1e-5;
+/// How far two computations of the lighting model at one point of the triangle lie apart.
+///
+/// Coordinates up to 4 put the point 6ε off: after division by the distance to lamp (at least 2.9) and eye (7) the
+/// directions are off by 2ε and 1ε, and by 2ε each for their length; h, their sum (at least 1.6 long), by 6ε. Weights that
+/// are off by 2ε, on top of interpolation and length, put n 6ε off. So h·n is off by 13.5ε with its own rounding, and its
+/// 12th power times 0.5 · 0.9 by 5.4 times that: 73ε. Diffuse light adds 0.7 · 0.9 · 12ε.
+const MODEL: f32 = 81.0 * f32::EPSILON;
 
 #[test]
 fn flat_gives_one_colour_a_triangle_gouraud_an_affine_one_and_phong_the_models_own() {
@@ -112,8 +117,12 @@ fn a_mirroring_transform_keeps_fronts_in_front() {
         assert!(hit.is_front(&ray));
         (hit, world.shading_normal(&hit), local_color(&world, &ray, 0.0, f32::INFINITY))
     });
-    assert_close("t", a.0.t, b.0.t, 1e-6);
-    assert_close("normal", a.1, b.1, 1e-5);
+    // The moved corners, below 2, are rounded by ε/2 a coordinate; the ray is five long and meets the face at a cosine
+    // above 0.3: t is off by 0.87ε / 1.5, and by ε/4 for its own rounding in either.
+    assert_close("t", a.0.t, b.0.t, 2.0 * f32::EPSILON);
+    // The same 0.87ε, at both ends of a height of 0.16 or more, put the weights 11ε off, between normals that are at most
+    // 0.6 apart: 7ε. Each normal was transformed and brought to unit length in f32 once more: 4ε, and 2ε for their mean.
+    assert_close("normal", a.1, b.1, 13.0 * f32::EPSILON);
     assert_close("colour", a.2, b.2, MODEL);
 }
 
@@ -135,8 +144,9 @@ fn without_mirrors_and_glass_the_recursive_colour_is_the_slides() {
             let ours = ray_color(&world, &ray, 0.0, f32::INFINITY, &Settings::default());
             seen.class("hit", slide != world.background);
             seen.class("lit", slide.max_element() > 0.2);
-            // The same sum in another order.
-            ensure_close("colour", ours, slide, 16.0 * f32::EPSILON * slide.max_element())
+            // The same sum of at most ambient light, two diffuse and two specular terms in another order: four sums on
+            // either side, each rounded by half an ε of what is there.
+            ensure_close("colour", ours, slide, 2.0 * 4.0 * 0.5 * f32::EPSILON * slide.max_element())
         });
 }
 
@@ -164,7 +174,8 @@ fn a_clear_ball_in_even_light_is_invisible() {
                     vec3((k % 20) as f32 / 8.0 - 1.2, (k / 20) as f32 / 4.0 - 1.2, 0.0),
                 );
                 let color = ray_color(&world, &ray, 0.0, f32::INFINITY, &settings);
-                assert_close("background", color, world.background, 32.0 * f32::EPSILON);
+                // At most six times share · a + (1 − share) · b, of numbers below 1: four roundings by ε/2 each.
+                assert_close("background", color, world.background, 6.0 * 4.0 * 0.5 * f32::EPSILON);
             }
         }
     }
@@ -180,7 +191,8 @@ fn a_tinted_ball_tints_once_a_surface() {
     );
     let ray = Ray::through(vec3(1.0, 2.0, 5.0), Vec3::ZERO);
     let color = ray_color(&world, &ray, 0.0, f32::INFINITY, &Settings::default());
-    assert_close("twice the tint", color, tint * tint * world.background, 8.0 * f32::EPSILON);
+    // Two products on either side, below 1.
+    assert_close("twice the tint", color, tint * tint * world.background, 4.0 * 0.5 * f32::EPSILON);
 }
 
 #[test]
@@ -223,7 +235,8 @@ fn a_mirror_shows_what_is_before_it() {
     // Down to the wall at (2, 0, −2) and up again to the ball.
     let ray = Ray::new(Vec3::ZERO, vec3(1.0, 0.0, -1.0));
     let color = ray_color(&world, &ray, 0.0, f32::INFINITY, &Settings::default());
-    assert_close("the ball, by way of the mirror", color, Rgb::new(0.8, 0.3, 0.1), 8.0 * f32::EPSILON);
+    // One product by the light and one by the mirror, below 1.
+    assert_close("the ball, by way of the mirror", color, Rgb::new(0.8, 0.3, 0.1), 2.0 * 0.5 * f32::EPSILON);
 }
 
 #[test]

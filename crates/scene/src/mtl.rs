@@ -72,6 +72,18 @@ mod tests {
         assert_eq!(surface_of(&matt).material.specular, Rgb::ZERO);
         let mirror = ObjMaterial { illumination_model: Some(3), ..red.clone() };
         assert_eq!(surface_of(&mirror).optics, Optics::Mirror { reflectance: vec3(0.2, 0.3, 1.0) });
+        for (model, is_mirror) in (0..=10).map(|model| (model, matches!(model, 3 | 5 | 8))) {
+            let optics = surface_of(&ObjMaterial { illumination_model: Some(model), ..red.clone() }).optics;
+            assert_eq!(matches!(optics, Optics::Mirror { .. }), is_mirror, "illum {model}");
+            assert_eq!(
+                matches!(optics, Optics::Glass { .. }),
+                matches!(model, 4 | 6 | 7 | 9),
+                "illum {model}"
+            );
+        }
+        // Without a word about its index, glass bends nothing.
+        let thin = surface_of(&ObjMaterial { dissolve: Some(0.5), ..red.clone() }).optics;
+        assert_eq!(thin, Optics::Glass { refractive_index: 1.0, transmittance: Rgb::splat(0.5) });
         let pane = ObjMaterial { dissolve: Some(0.25), refractive_index: Some(1.33), ..red };
         let through = Optics::Glass { refractive_index: 1.33, transmittance: Rgb::splat(0.75) };
         assert_eq!(surface_of(&pane).optics, through);

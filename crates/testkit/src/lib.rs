@@ -4,6 +4,7 @@
 //!   named class, so that no law is true for want of interesting inputs.
 //! - [`strategy`]: bases, rotations, triangles, rays, directions… on asymmetric data.
 //! - [`close`](mod@close): comparisons with a bound that the caller derives.
+//! - [`damage`]: files as they should not be, and a watch over whoever reads them.
 //!
 //! A law in five lines:
 //!
@@ -22,6 +23,7 @@
 #![forbid(unsafe_code)]
 
 pub mod close;
+pub mod damage;
 pub mod law;
 pub mod strategy;
 

@@ -35,9 +35,10 @@ fn volume_and_point() -> impl Strategy<Value = (ViewVolume, Vec3)> {
 
 #[test]
 fn camera_matrix_keeps_lengths_and_handedness() {
-    Law::new("the camera matrix is rigid (L1)").holds_for(
+    Law::new("the camera matrix is rigid (L1)").demand("turned and moved", 0.5).holds_for(
         (strategy::camera(), strategy::point(20.0), strategy::point(20.0)),
-        |(camera, p, q), _| {
+        |(camera, p, q), seen| {
+            seen.class("turned and moved", is_turned(&camera) && camera.eye().length() > 1.0);
             let m = camera.camera_from_world();
             let moved = m.transform_point3(p).distance(m.transform_point3(q));
             // Each camera coordinate is a sum of four terms up to 30: 5 roundings of 5·30ε, in two points.
@@ -48,11 +49,18 @@ fn camera_matrix_keeps_lengths_and_handedness() {
     );
 }
 
+/// Whether no axis of the camera lies near one of the world's, so that no exchange of two axes goes unnoticed.
+fn is_turned(camera: &Camera) -> bool {
+    let Basis { u, v, w } = camera.basis();
+    [u, v, w].iter().all(|axis| axis.abs().max_element() < 0.98)
+}
+
 #[test]
 fn camera_matrix_and_its_inverse_undo_each_other() {
-    Law::new("world_from_camera undoes camera_from_world").holds_for(
+    Law::new("world_from_camera undoes camera_from_world").demand("turned and moved", 0.5).holds_for(
         (strategy::camera(), strategy::point(20.0)),
-        |(camera, p), _| {
+        |(camera, p), seen| {
+            seen.class("turned and moved", is_turned(&camera) && camera.eye().length() > 1.0);
             let there = camera.camera_from_world().transform_point3(p);
             ensure_close("p", camera.world_from_camera().transform_point3(there), p, 20.0 * 60.0 * EPS)
         },
@@ -61,11 +69,14 @@ fn camera_matrix_and_its_inverse_undo_each_other() {
 
 #[test]
 fn camera_frame_is_the_one_of_figure_4_8() {
-    Law::new("w is against the gaze, v leans to up, u is level (L6)").holds_for(
+    let law = Law::new("w is against the gaze, v leans to up, u is level (L6)");
+    law.demand("up is far from square to the gaze", 0.3).demand("nearly along the gaze", 0.01).holds_for(
         (strategy::point(5.0), strategy::point(5.0)),
-        |(gaze, up), _| {
+        |(gaze, up), seen| {
             let sine = gaze.normalize_or_zero().cross(up.normalize_or_zero()).length();
             prop_assume!(sine > 0.01);
+            seen.class("up is far from square to the gaze", sine < 0.8);
+            seen.class("nearly along the gaze", sine < 0.25);
             let Basis { u, v, w } = Basis::from_gaze_and_up(gaze, up).unwrap();
             ensure_close("w", w, -gaze.normalize(), 4.0 * EPS)?;
             ensure(v.dot(up) > 0.0, || format!("v·up = {}", v.dot(up)))?;
@@ -130,9 +141,10 @@ fn rotation_about_a_point_is_the_product_of_three_matrices() {
 
 #[test]
 fn perspective_fixes_its_planes() {
-    Law::new("P leaves z = n and z = f where they are (L2)").holds_for(
+    Law::new("P leaves z = n and z = f where they are (L2)").demand("deep", 0.5).holds_for(
         (strategy::view_volume(), strategy::point(5.0)),
-        |(volume, p), _| {
+        |(volume, p), seen| {
+            seen.class("deep", volume.far < 10.0 * volume.near);
             let m = perspective(volume.near, volume.far);
             for z in [volume.near, volume.far] {
                 let moved = m.project_point3(p.with_z(z));
@@ -176,16 +188,23 @@ fn perspective_keeps_depth_order() {
 fn perspective_maps_lines_to_lines() {
     let inputs = strategy::view_volume()
         .prop_flat_map(|volume| (Just(volume), point_in(volume), point_in(volume), 0.1_f32..0.9));
-    Law::new("three points of a line stay on a line (L2)").holds_for(inputs, |(volume, p, q, s), _| {
-        let m = transforms::canonical_from_camera(&volume);
-        let [a, b, c] = [p, q, p.lerp(q, s)].map(|point| m.project_point3(point));
-        prop_assume!(a.distance(b) > 0.05);
-        let off_the_line = (c - a).cross(b - a).length() / (b - a).length();
-        // A camera coordinate of size up to |f|(1 + reach) is rounded by ε of that, and at depth |n| a camera unit is 1/|n|
-        // canonical units; about 32 such roundings lie on the way.
-        let magnification = (volume.far / volume.near) * (1.0 + reach(&volume));
-        ensure_close("distance from the line", off_the_line, 0.0, 32.0 * magnification * EPS)
-    });
+    let law = Law::new("three points of a line stay on a line (L2)");
+    law.demand("into the depth", 0.5).demand("off-centre", 0.5).holds_for(
+        inputs,
+        |(volume, p, q, s), seen| {
+            let m = transforms::canonical_from_camera(&volume);
+            let [a, b, c] = [p, q, p.lerp(q, s)].map(|point| m.project_point3(point));
+            prop_assume!(a.distance(b) > 0.05);
+            // Lines across the view keep w, so that they would stay lines without any division.
+            seen.class("into the depth", p.z.max(q.z) / p.z.min(q.z) < 0.7);
+            seen.class("off-centre", is_off_centre(&volume));
+            let off_the_line = (c - a).cross(b - a).length() / (b - a).length();
+            // A camera coordinate of size up to |f|(1 + reach) is rounded by ε of that, and at depth |n| a camera unit is 1/|n|
+            // canonical units; about 32 such roundings lie on the way.
+            let magnification = (volume.far / volume.near) * (1.0 + reach(&volume));
+            ensure_close("distance from the line", off_the_line, 0.0, 32.0 * magnification * EPS)
+        },
+    );
 }
 
 /// How far off its axis a volume reaches, in window widths.
@@ -195,9 +214,17 @@ fn reach(volume: &ViewVolume) -> f32 {
     x.max(y)
 }
 
+/// Whether the window's middle lies off the axis by a tenth of its width and of its height.
+fn is_off_centre(volume: &ViewVolume) -> bool {
+    (volume.left + volume.right).abs() > 0.2 * (volume.right - volume.left)
+        && (volume.bottom + volume.top).abs() > 0.2 * (volume.top - volume.bottom)
+}
+
 #[test]
 fn orthographic_carries_the_corners_of_the_box_to_plus_and_minus_one() {
-    Law::new("the box becomes the cube, near at +1 (L3)").holds_for(strategy::view_volume(), |volume, _| {
+    let law = Law::new("the box becomes the cube, near at +1 (L3)").demand("off-centre", 0.5);
+    law.holds_for(strategy::view_volume(), |volume, seen| {
+        seen.class("off-centre", is_off_centre(&volume));
         let ViewVolume { left, right, bottom, top, near, far } = volume;
         let m = orthographic(&volume);
         // An off-centre box: the middle, up to `reach` widths away, is subtracted after scaling.
@@ -209,7 +236,11 @@ fn orthographic_carries_the_corners_of_the_box_to_plus_and_minus_one() {
 
 #[test]
 fn visible_points_have_negative_clip_w_and_land_in_the_cube() {
-    Law::new("what the volume holds, the cube holds (E2)").holds_for(volume_and_point(), |(volume, p), _| {
+    let law =
+        Law::new("what the volume holds, the cube holds (E2)").demand("off-centre", 0.5).demand("deep", 0.5);
+    law.holds_for(volume_and_point(), |(volume, p), seen| {
+        seen.class("off-centre", is_off_centre(&volume));
+        seen.class("deep", p.z < 3.0 * volume.near);
         let clip = transforms::canonical_from_camera(&volume) * p.extend(1.0);
         ensure_close("clip w", clip.w, p.z, EPS * p.z.abs())?;
         let canonical = clip.truncate() / clip.w;
@@ -250,17 +281,16 @@ fn window_matrix_is_the_formula_of_u_s_and_v_s() {
 
 #[test]
 fn our_projection_is_opengls_frustum_with_the_signs_turned() {
-    Law::new("diag(−1, −1, 1, −1) · S·C·P is glam's OpenGL frustum (E2)").holds_for(
-        strategy::view_volume(),
-        |volume, _| {
-            let ours = transforms::opengl::opengl_clip_from_camera(&volume);
-            let ViewVolume { left, right, bottom, top, near, far } = volume;
-            let glams = glam::camera::rh::proj::opengl::frustum(left, right, bottom, top, -near, -far);
-            // Entries up to 2fn/(f − n); ours come out of three products.
-            let greatest = glams.to_cols_array().iter().fold(0.0_f32, |m, x| m.max(x.abs()));
-            ensure_close("frustum", ours, glams, 8.0 * greatest * EPS)
-        },
-    );
+    let law = Law::new("diag(−1, −1, 1, −1) · S·C·P is glam's OpenGL frustum (E2)");
+    law.demand("off-centre", 0.5).holds_for(strategy::view_volume(), |volume, seen| {
+        seen.class("off-centre", is_off_centre(&volume));
+        let ours = transforms::opengl::opengl_clip_from_camera(&volume);
+        let ViewVolume { left, right, bottom, top, near, far } = volume;
+        let glams = glam::camera::rh::proj::opengl::frustum(left, right, bottom, top, -near, -far);
+        // Entries up to 2fn/(f − n); ours come out of three products.
+        let greatest = glams.to_cols_array().iter().fold(0.0_f32, |m, x| m.max(x.abs()));
+        ensure_close("frustum", ours, glams, 8.0 * greatest * EPS)
+    });
 }
 
 #[test]
@@ -271,8 +301,13 @@ fn our_camera_is_glams_right_handed_view() {
             prop_assume!(gaze.cross(up).length() > 0.1);
             let ours = Camera::look_at(eye, eye + 3.0 * gaze, up).unwrap().camera_from_world();
             let glams = glam::camera::rh::view::look_at_mat4(eye, eye + 3.0 * gaze, up);
-            // The gaze is a difference of points up to 14, glam's in f32; up is at least sin 0.1 off it.
-            ensure_close("view matrix", ours, glams, 10.0 * 18.0 * 10.0 * EPS)
+            // Ours is right to a rounding. glam's gaze g is unit to 2ε; g × up is then off by 2ε and its own 1.5ε, over a
+            // length of at least 0.1: u by 35ε, and by 2ε more for bringing it to unit length. v = u × g by 37 + 2 + 1.5.
+            let axes = 41.0 * EPS;
+            ensure_close("axes", Mat3::from_mat4(ours), Mat3::from_mat4(glams), axes)?;
+            // The shift is the eye, at most √3 · 10 = 17.4 from the origin, along them: three roundings on either side.
+            let shift = 17.4 * (axes + 2.0 * 3.0 * 0.5 * EPS);
+            ensure_close("shift", ours.w_axis, glams.w_axis, shift)
         },
     );
 }

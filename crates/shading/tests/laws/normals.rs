@@ -167,10 +167,11 @@ fn turning_the_mesh_turns_its_normals() {
         let (before, after) = (vertex_normals(&mesh, PI), vertex_normals(&turned, PI));
         for k in 0..mesh.len() {
             for at in 0..3 {
-                // Positions up to 3.5 are rounded by 3.5 · 2⁻²⁴ each, over edges of at least 0.1 with a sine of at least 0.05;
-                // a few such roundings add up.
+                // A turned coordinate, up to 3.5, is a sum of three products: five roundings by 3.5 · 2⁻²⁴, in three
+                // coordinates, at both ends of an edge. Edges are at least 0.1 long, with a sine of at least 0.05.
+                let bound = 2.0 * 3.0_f32.sqrt() * 5.0 * 3.5 * (0.5 * f32::EPSILON) / (0.1 * 0.05);
                 let (want, got) = (turn * corner_normal(&before, k, at), corner_normal(&after, k, at));
-                ensure_close("normal", got, want, 1e-3)?;
+                ensure_close("normal", got, want, bound)?;
             }
         }
         Ok(())

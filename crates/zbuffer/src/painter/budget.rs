@@ -26,3 +26,16 @@ impl Budget {
         self.0.get() == 0
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whoever_pays_the_last_of_it_is_told() {
+        let budget = Budget::new(5);
+        assert!(budget.pay(3) && !budget.is_spent());
+        assert!(!budget.pay(2) && budget.is_spent());
+        assert!(!budget.pay(1), "nothing comes back");
+    }
+}

@@ -9,7 +9,7 @@ use testkit::{Classes, Law, Outcome, ensure, strategy};
 use zbuffer::painter::{self, OcclusionCycle, Relation};
 use zbuffer::{ScreenTriangle, rasterize};
 
-use inputs::{cycle_of_three, mixed_triangles, seen_from, sheets, triangle, triangles};
+use inputs::{cycle_of_three, mixed_triangles, on_screen, seen_from, sheets, triangle, triangles};
 use picture::{HEIGHT, Pixels, WIDTH, nearest, painted, painted_by_plan, place};
 
 fn opposite(relation: Relation) -> Relation {
@@ -48,6 +48,19 @@ fn exact_sides_say_the_same_as_clipping_in_floating_point() {
         });
 }
 
+#[test]
+fn an_overlap_as_thin_as_the_grid_counts_for_both_ways_of_finding_it() {
+    use glam::vec3;
+    // Two long triangles that share the part of their long sides between x = 0 and x = 9000, but for 1/256 pixel.
+    let below =
+        |rise: f32| on_screen([vec3(0.0, rise, 0.2), vec3(9000.0, rise, 0.3), vec3(4000.0, -700.0, 0.1)]);
+    let above = on_screen([vec3(9000.0, 5.0, -0.2), vec3(0.0, 5.0, -0.4), vec3(5000.0, 600.0, -0.1)]);
+    for (rise, relation) in [(5.0, Relation::Free), (5.0 + 1.0 / 256.0, Relation::Behind)] {
+        assert_eq!(painter::relation(&above, &below(rise)), relation);
+        assert_eq!(painter::relation_by_clipping(&above, &below(rise)), relation);
+    }
+}
+
 fn ensure_right_order(order: &[usize], triangles: &[ScreenTriangle]) -> Outcome {
     let mut listed = order.to_vec();
     listed.sort_unstable();
@@ -66,6 +79,7 @@ fn ensure_right_order(order: &[usize], triangles: &[ScreenTriangle]) -> Outcome 
 fn ensure_real_cycle(cycle: &OcclusionCycle, triangles: &[ScreenTriangle]) -> Outcome {
     let polygons = &cycle.polygons;
     prop_assert!(2 <= polygons.len());
+    prop_assert_eq!(polygons.iter().min(), polygons.first(), "the smallest comes first");
     for (k, hidden) in polygons.iter().enumerate() {
         let hiding = polygons[(k + 1) % polygons.len()];
         let relation = painter::relation_by_clipping(&triangles[*hidden], &triangles[hiding]);
@@ -138,12 +152,27 @@ fn ensure_every_fragment_once(plan: &painter::Plan, triangles: &[ScreenTriangle]
     })
 }
 
+/// Every two polygons that pierce each other are named, once, and nothing else is a pair.
+fn ensure_piercing_pairs_are_named(plan: &painter::Plan, triangles: &[ScreenTriangle]) -> Outcome {
+    let pierce = |a: usize, b: usize| {
+        painter::relation_by_clipping(&triangles[a], &triangles[b]) == Relation::Piercing
+    };
+    let all = (0..triangles.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
+    let mut pairs: Vec<_> = all.filter(|(a, b)| pierce(*a, *b)).map(|(a, b)| vec![a, b]).collect();
+    pairs.sort_unstable();
+    let named = plan.cycles.iter().filter(|cycle| cycle.is_piercing());
+    let mut named: Vec<_> = named.map(|cycle| cycle.polygons.clone()).collect();
+    named.sort_unstable();
+    ensure(named == pairs, || format!("named are {named:?}, but {pairs:?} pierce each other"))
+}
+
 fn ensure_plan_is_right(pixels: &Pixels, triangles: &[ScreenTriangle], seen: &Classes) -> Outcome {
     let plan = painter::plan(triangles);
     seen.class("cut", plan.splits > 0);
     prop_assert_eq!(plan.pieces.len(), triangles.len() + plan.splits);
     prop_assert_eq!(plan.cycles.is_empty(), painter::order(triangles).is_ok());
     plan.cycles.iter().try_for_each(|cycle| ensure_real_cycle(cycle, triangles))?;
+    ensure_piercing_pairs_are_named(&plan, triangles)?;
     ensure_every_fragment_once(&plan, triangles)?;
     pixels.ensure_same(&painted_by_plan(&plan, triangles), &nearest(triangles))
 }

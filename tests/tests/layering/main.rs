@@ -1,8 +1,21 @@
-//! Do the arrows point down? The table in `crates/README.md` says which layer a crate has; the manifests say what it needs.
+//! Do the arrows point down? The table in `crates/README.md` says which layer a crate has; the manifests say what it needs,
+//! and the sources what it uses of the standard library.
+
+mod manifest;
+mod source;
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+
+use manifest::{Manifest, manifests};
+use source::{offences, sources};
+
+/// The package that these tests are in.
+const THESE_TESTS: &str = "lightlab-tests";
+
+/// Outside the layers: what tests are made of and where they stand.
+const BESIDE_THE_LAYERS: [&str; 2] = ["testkit", THESE_TESTS];
 
 fn workspace() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the package lies in the workspace").to_owned()
@@ -23,56 +36,13 @@ fn layers() -> BTreeMap<String, u32> {
     rows.collect()
 }
 
-struct Manifest {
-    name: String,
-    dependencies: Vec<String>,
-    dev_dependencies: Vec<String>,
-}
-
-fn manifests() -> Vec<Manifest> {
-    let folders = fs::read_dir(workspace().join("crates"))
-        .expect("crates/")
-        .map(|entry| entry.expect("an entry").path());
-    let names = |table: &toml::Table, key: &str| -> Vec<String> {
-        table.get(key).and_then(|t| t.as_table()).map(|t| t.keys().cloned().collect()).unwrap_or_default()
-    };
-    folders
-        .filter(|folder| folder.is_dir())
-        .map(|folder| {
-            let table: toml::Table = read(&folder.join("Cargo.toml")).parse().expect("a manifest");
-            Manifest {
-                name: table["package"]["name"].as_str().expect("a name").to_owned(),
-                dependencies: names(&table, "dependencies"),
-                dev_dependencies: names(&table, "dev-dependencies"),
-            }
-        })
-        .collect()
-}
-
-/// Every Rust file of a crate's library or program, without its tests and examples.
-fn sources(name: &str) -> Vec<PathBuf> {
-    let mut folders = vec![workspace().join("crates").join(name).join("src")];
-    let mut files = Vec::new();
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(&folder).expect("a source folder") {
-            let path = entry.expect("an entry").path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|e| e == "rs") {
-                files.push(path);
-            }
-        }
-    }
-    files
-}
-
 #[test]
 fn every_crate_is_on_the_map() {
     let layers = layers();
     let manifests = manifests();
     for manifest in &manifests {
         assert!(
-            manifest.name == "testkit" || layers.contains_key(&manifest.name),
+            BESIDE_THE_LAYERS.contains(&manifest.name.as_str()) || layers.contains_key(&manifest.name),
             "{} has no row in crates/README.md",
             manifest.name
         );
@@ -89,7 +59,7 @@ fn every_crate_is_on_the_map() {
 fn a_crate_depends_only_on_lower_layers() {
     let layers = layers();
     let mut arrows = 0;
-    for Manifest { name, dependencies, .. } in manifests().iter().filter(|m| m.name != "testkit") {
+    for Manifest { name, dependencies, .. } in manifests().iter().filter(|m| layers.contains_key(&m.name)) {
         for dependency in dependencies.iter().filter(|d| layers.contains_key(*d)) {
             arrows += 1;
             assert!(
@@ -117,10 +87,14 @@ fn the_ray_tracer_knows_neither_the_z_buffer_nor_shading() {
 }
 
 #[test]
-fn only_tests_depend_on_the_testkit_which_knows_layer_0_only() {
+fn only_tests_and_exercises_depend_on_the_testkit_which_knows_layer_0_only() {
     let layers = layers();
     for Manifest { name, dependencies, .. } in &manifests() {
-        assert!(!dependencies.iter().any(|d| d == "testkit"), "{name} depends on testkit outside its tests");
+        let may = name == "course";
+        assert!(
+            may || !dependencies.iter().any(|d| d == "testkit"),
+            "{name} needs testkit outside its tests"
+        );
         if name == "testkit" {
             for dependency in dependencies.iter().filter(|d| layers.contains_key(*d)) {
                 assert_eq!(layers[dependency], 0, "testkit depends on {dependency}");
@@ -130,9 +104,32 @@ fn only_tests_depend_on_the_testkit_which_knows_layer_0_only() {
 }
 
 #[test]
+fn nothing_depends_on_these_tests_and_they_have_no_code_of_their_own() {
+    for Manifest { name, dependencies, dev_dependencies, .. } in &manifests() {
+        let mut all = dependencies.iter().chain(dev_dependencies);
+        assert!(!all.any(|d| d == THESE_TESTS), "{name} depends on {THESE_TESTS}");
+        assert!(
+            name != THESE_TESTS || dependencies.is_empty(),
+            "{dependencies:?} belong to the dev-dependencies"
+        );
+    }
+    let list = read(&workspace().join("tests/src/lib.rs"));
+    assert!(
+        source::without_tests_and_comments(&list)
+            .iter()
+            .all(|line| line.trim().is_empty() || line.starts_with("#!"))
+    );
+    for entry in fs::read_dir(workspace().join("tests/tests")).expect("the folder of these tests") {
+        let path = entry.expect("an entry").path();
+        let name = path.file_stem().expect("a name").to_string_lossy();
+        assert!(list.contains(&format!("- `{name}`:")), "tests/src/lib.rs does not say what {name} is about");
+    }
+}
+
+#[test]
 fn no_crate_has_unsafe_code() {
-    for Manifest { name, .. } in &manifests() {
-        let source = workspace().join("crates").join(name).join("src");
+    for Manifest { name, folder, .. } in &manifests() {
+        let source = folder.join("src");
         let root = [source.join("lib.rs"), source.join("main.rs")].into_iter().find(|path| path.exists());
         let text = read(&root.unwrap_or_else(|| panic!("{name} has neither lib.rs nor main.rs")));
         assert!(text.contains("#![forbid(unsafe_code)]"), "{name} does not forbid unsafe code");
@@ -140,29 +137,23 @@ fn no_crate_has_unsafe_code() {
 }
 
 #[test]
-fn concept_crates_do_no_io_and_print_nothing() {
-    let quiet = layers().into_iter().filter(|(_, layer)| *layer <= 2);
-    for (name, _) in quiet {
-        for path in sources(&name) {
-            let text = read(&path);
-            // Unit tests may print; the code before them may not. Doc comments show examples.
-            let code = text.split("#[cfg(test)]").next().unwrap_or_default();
-            let lines = code.lines().filter(|line| !line.trim_start().starts_with("//"));
-            for line in lines {
-                for word in
-                    ["std::fs", "std::net", "std::thread", "println!", "eprintln!", "print!(", "static mut"]
-                {
-                    assert!(!line.contains(word), "{} has {word}: {line}", path.display());
-                }
-            }
+fn concept_crates_do_no_io_print_nothing_and_keep_no_global_state() {
+    let layers = layers();
+    let mut files = 0;
+    for manifest in manifests().iter().filter(|m| layers.get(&m.name).is_some_and(|layer| *layer <= 2)) {
+        for path in sources(&manifest.folder) {
+            files += 1;
+            let found = offences(&read(&path));
+            assert!(found.is_empty(), "{}: {found:?}", path.display());
         }
     }
+    assert!(files > 50, "only {files} source files found");
 }
 
 #[test]
 fn every_crate_opens_its_readme_with_a_question() {
-    for Manifest { name, .. } in &manifests() {
-        let text = read(&workspace().join("crates").join(name).join("README.md"));
+    for Manifest { name, folder, .. } in manifests().iter().filter(|m| m.name != THESE_TESTS) {
+        let text = read(&folder.join("README.md"));
         let title = text.lines().next().unwrap_or_default();
         assert!(title.starts_with("# ") && title.contains('?'), "{name}: «{title}» is no question");
     }
