@@ -74,11 +74,18 @@ pub(super) static R_MINUS_ONE: Claim = Claim {
             scaling_trial(left, random.between(1.5, 6.0))
         });
         let volume = window(-2.0, 3.0);
-        judge("2/(r−1) brings the window's width to 2", Some(L_IS_ONE), &trials).compared(
-            "l = −2, r = 3",
-            format!("a window {:.1} wide", slide_scale(&volume) * 5.0),
-            format!("one {:.1} wide", scale(&volume).x_axis.x * 5.0),
-        )
+        let r_minus_l = super::sample::trials(80, 12, |random| {
+            let (left, right) = (random.between(-5.0, 1.0), random.between(1.5, 6.0));
+            let width = scale(&window(left, right)).x_axis.x * (right - left);
+            Trial::new((width - 2.0).abs() < 1e-5, format!("width {width}"))
+        });
+        judge("2/(r−1) brings the window's width to 2", Some(L_IS_ONE), &trials)
+            .with_right("2/(r − l) does, for any l", &r_minus_l)
+            .compared(
+                "l = −2, r = 3",
+                format!("a window {:.1} wide", slide_scale(&volume) * 5.0),
+                format!("one {:.1} wide", scale(&volume).x_axis.x * 5.0),
+            )
     },
     pictures: None,
 };
