@@ -11,7 +11,12 @@ fn unexpected(reports: &[Report]) -> Vec<String> {
     let line = |report: &Report| {
         let evidence: Vec<_> = report.examination.evidence.iter().map(ToString::to_string).collect();
         let (stem, expected) = (report.claim.stem(), report.claim.expected);
-        format!("{stem}: {}, expected: {expected}. {}", report.examination.verdict, evidence.join(" | "))
+        let right = if report.examination.right_holds { "" } else { "; the right version fails" };
+        format!(
+            "{stem}: {}, expected: {expected}{right}. {}",
+            report.examination.verdict,
+            evidence.join(" | ")
+        )
     };
     reports.iter().filter(|report| !report.is_as_expected()).map(line).collect()
 }

@@ -21,6 +21,7 @@ mod shaded;
 mod stage;
 mod transform_errors;
 mod transform_laws;
+mod window_errors;
 mod words;
 
 pub use judgement::{Evidence, Examination, Trial, Verdict, judge, measured};
@@ -115,8 +116,8 @@ static ALL: &[&Claim] = &[
     &transform_errors::R_MINUS_ONE,
     &transform_errors::CLIP_W_NEGATIVE,
     &transform_errors::OPENGL,
-    &transform_errors::WINDOW_POINT,
-    &transform_errors::CORNER,
+    &window_errors::WINDOW_POINT,
+    &window_errors::CORNER,
     &transform_errors::HANDEDNESS,
     &occlusion::PAINTER,
     &occlusion::SORTED_BY_DEPTH,

@@ -9,7 +9,8 @@ use transforms::{Pipeline, viewport};
 use zbuffer::{DepthBuffer, DepthFormat, ScreenTriangle, ScreenVertex, draw, project};
 
 use super::sample::pipeline;
-use super::transform_errors::{slide_is_inside, slide_window_from_pixel};
+use super::transform_errors::slide_is_inside;
+use super::window_errors::slide_window_from_pixel;
 use super::{pair, text};
 use crate::{Drawing, Drawn};
 
