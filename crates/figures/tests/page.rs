@@ -28,8 +28,8 @@ fn whole_page() -> &'static str {
         });
         let entries: Vec<Entry> = entries.collect();
         let trials = claims::all().into_iter();
-        let trials =
-            trials.map(|claim| Trial::new(claim, claim.expected, vec!["a < b".to_owned()], Vec::new()));
+        let trials = trials
+            .map(|claim| Trial::new(claim, (claim.expected, true), vec!["a < b".to_owned()], Vec::new()));
         page::html(&entries, &trials.collect::<Vec<_>>())
     })
 }

@@ -70,7 +70,7 @@ pub struct Trial {
     pub truth: Words,
     /// What the run came to.
     pub verdict: Verdict,
-    /// Whether that is the recorded verdict.
+    /// Whether that is the recorded verdict, and our own version stood its trial.
     pub is_as_expected: bool,
     /// What backs it, a sentence each, English.
     pub evidence: Vec<String>,
@@ -81,9 +81,14 @@ pub struct Trial {
 }
 
 impl Trial {
-    /// The claim after its run: what it came to, what backs that, and pictures.
+    /// The claim after its run: what it came to, whether that was expected, what backs it, and pictures.
     #[must_use]
-    pub fn new(claim: &Claim, verdict: Verdict, evidence: Vec<String>, drawings: Vec<Shown>) -> Self {
+    pub fn new(
+        claim: &Claim,
+        (verdict, is_as_expected): (Verdict, bool),
+        evidence: Vec<String>,
+        drawings: Vec<Shown>,
+    ) -> Self {
         Self {
             stem: claim.stem(),
             number: claim.number,
@@ -91,7 +96,7 @@ impl Trial {
             translation: claim.translation,
             truth: claim.truth.into(),
             verdict,
-            is_as_expected: verdict == claim.expected,
+            is_as_expected,
             evidence,
             code: claim.code.to_vec(),
             drawings,

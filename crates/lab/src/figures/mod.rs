@@ -153,6 +153,7 @@ fn put_on_trial(claim: &'static Claim, program: &str, album: &mut Album) -> Resu
     };
     let result = json!({
         "verdict": report.examination.verdict.to_string(),
+        "as_recorded": report.is_as_expected(),
         "evidence": report.examination.evidence.iter().map(ToString::to_string).collect::<Vec<_>>(),
     });
     album.put(&stem, program.to_owned(), String::new(), result, &drawings)?;
@@ -171,7 +172,9 @@ fn on_the_page(album: &Album) -> (Vec<Entry>, Vec<Trial>) {
         let Taken { result, drawings, .. } = album.take(&claim.stem(), None)?;
         let evidence = result.get("evidence")?.as_array()?.iter();
         let evidence = evidence.map(|line| line.as_str().map(ToOwned::to_owned)).collect::<Option<_>>()?;
-        Some(Trial::new(claim, verdict(result.get("verdict")?.as_str()?, claim)?, evidence, drawings))
+        let verdict = verdict(result.get("verdict")?.as_str()?, claim)?;
+        let is_as_expected = result.get("as_recorded")?.as_bool()?;
+        Some(Trial::new(claim, (verdict, is_as_expected), evidence, drawings))
     };
     (figures.filter_map(entry).collect(), claims.filter_map(trial).collect())
 }
