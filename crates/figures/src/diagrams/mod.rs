@@ -1,8 +1,33 @@
 //! Which figures are made of lines? Those about vectors, angles and planes; every length in them is computed.
 
+mod barycentric;
+mod camera_frame;
+mod facing_away;
+mod halfway;
+mod lambert;
+mod phong_highlight;
+mod pixel_grid;
+mod shadow_rays;
+mod slice;
+mod vertex_normals;
+mod viewing_ray;
+mod viewing_volume;
 mod worked_example;
 
 use crate::figure::Figure;
 
 /// In the order of the lecture.
-pub(crate) static ALL: &[&Figure] = &[&worked_example::FIGURE];
+pub(crate) static ALL: &[&Figure] = &[
+    &camera_frame::FIGURE,
+    &viewing_volume::FIGURE,
+    &pixel_grid::FIGURE,
+    &lambert::FIGURE,
+    &facing_away::FIGURE,
+    &phong_highlight::FIGURE,
+    &halfway::FIGURE,
+    &vertex_normals::FIGURE,
+    &viewing_ray::FIGURE,
+    &barycentric::FIGURE,
+    &worked_example::FIGURE,
+    &shadow_rays::FIGURE,
+];

@@ -2,10 +2,11 @@
 
 use geometry::{Ray, Triangle};
 use glam::{Vec3, vec2, vec3};
-use raytrace::triangle::{Solution, cramer, system};
+use raytrace::triangle::{Solution, System, cramer, system};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
+use crate::sheet::text::{decimal, triple};
 use crate::sheet::view::View;
 use crate::sheet::{Ink, Letters, Sheet, Side};
 
@@ -29,10 +30,12 @@ pub(super) static FIGURE: Figure = Figure {
 fn draw(values: &Values) -> Drawn {
     let ray = Ray::new(["x", "y", "z"].map(|axis| values.number(axis)).into(), Vec3::NEG_ONE);
     let triangle = Triangle::new(Vec3::X, Vec3::Y, Vec3::Z);
-    let found = cramer(&system(&ray, &triangle)).ok_or("the ray is parallel to the plane")?;
+    let system = system(&ray, &triangle);
+    let found = cramer(&system).ok_or("the ray is parallel to the plane")?;
     let alt = alt(&found);
     let view = View::new(vec3(5.0, 2.6, 3.2), Vec3::ZERO)?;
-    let mut sheet = Sheet::new(vec2(-1.5, -0.85), vec2(2.2, 2.0), 720.0);
+    let seen = [view.at(1.5 * Vec3::X), view.at(1.5 * Vec3::Y), view.at(1.5 * Vec3::Z), view.at(ray.origin)];
+    let mut sheet = Sheet::around(&seen, vec2(820.0, 470.0), 24.0, 330.0);
     axes(&mut sheet, &view);
     let corners = triangle.corners().map(|corner| view.at(corner));
     sheet.wash(&corners, Ink::B);
@@ -50,7 +53,7 @@ fn draw(values: &Values) -> Drawn {
     sheet.label(e, Side::AboveRight, "e", Letters::Vector, Ink::A);
     sheet.dot(p, Ink::A);
     sheet.label(p, Side::AboveRight, "p", Letters::Vector, Ink::A);
-    numbers(&mut sheet, &ray, &found);
+    numbers(&mut sheet, &ray, &system, &found);
     Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
 }
 
@@ -64,20 +67,35 @@ fn axes(sheet: &mut Sheet, view: &View) {
     }
 }
 
-/// The solution, a line each, at the right of the drawing.
-fn numbers(sheet: &mut Sheet, ray: &Ray, found: &Solution) {
-    let p = ray.at(found.t);
-    let weights = found.weights();
-    let lines = [
-        format!("α = {:.3}", weights.alpha),
-        format!("β = {:.3}", found.beta),
-        format!("γ = {:.3}", found.gamma),
-        format!("t = {:.3}", found.t),
-        format!("p = ({:.3}, {:.3}, {:.3})", p.x, p.y, p.z),
+/// The system A·x = b of L50 and its solution, at the right of the drawing.
+fn numbers(sheet: &mut Sheet, ray: &Ray, system: &System, found: &Solution) {
+    const LEFT: f32 = 480.0;
+    let columns = system.matrix;
+    let column = |v: Vec3| v.to_array().map(|entry| decimal(entry, 2));
+    let parts: [(&str, [String; 3]); 5] = [
+        ("", column(columns.x_axis)),
+        ("A", column(columns.y_axis)),
+        ("", column(columns.z_axis)),
+        ("x", ["β", "γ", "t"].map(str::to_owned)),
+        ("b", column(system.rhs)),
     ];
-    for (k, line) in lines.into_iter().enumerate() {
-        sheet.label(vec2(1.05, 1.75 - 0.16 * k as f32), Side::Right, line, Letters::Plain, Ink::Main);
+    for (k, (head, entries)) in parts.into_iter().enumerate() {
+        let left = LEFT + 62.0 * k as f32;
+        sheet.lines(left, 40.0, [head]);
+        sheet.lines(left, 72.0, entries);
     }
+    let weights = found.weights();
+    sheet.lines(
+        LEFT,
+        190.0,
+        [
+            format!("α = {}", decimal(weights.alpha, 3)),
+            format!("β = {}", decimal(found.beta, 3)),
+            format!("γ = {}", decimal(found.gamma, 3)),
+            format!("t = {}", decimal(found.t, 3)),
+            format!("p = {}", triple(ray.at(found.t))),
+        ],
+    );
 }
 
 fn alt(found: &Solution) -> Words {

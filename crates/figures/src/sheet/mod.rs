@@ -3,13 +3,16 @@
 //! Colours are names, not numbers: the style decides what they are, light on dark or dark on light. Letters follow the
 //! lecture: vectors and points upright and bold, numbers and angles in italics.
 
+pub(crate) mod crowd;
 pub(crate) mod plot;
+pub(crate) mod text;
 pub(crate) mod view;
 
 use glam::{Vec2, vec2};
 use maud::{Markup, PreEscaped, html};
 
 use crate::figure::Words;
+use text::raised_and_lowered;
 
 /// What the names of the inks mean. The page has it once; a file of its own carries it along.
 pub(crate) const STYLE: &str = "\
@@ -121,6 +124,25 @@ impl Sheet {
         Self { lower_left, upper_right, scale, body: String::new() }
     }
 
+    /// A sheet of `size` pixels that shows all `points`, as large as they can be, with `margin` pixels around them and
+    /// `right` more pixels at the right, for words.
+    pub(crate) fn around(points: &[Vec2], size: Vec2, margin: f32, right: f32) -> Self {
+        let least = points.iter().copied().fold(Vec2::INFINITY, Vec2::min);
+        let greatest = points.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
+        assert!(least.cmple(greatest).all(), "a sheet needs a point");
+        let room = size - vec2(2.0 * margin + right, 2.0 * margin);
+        // A single point has no extent: then any scale shows it.
+        let scale = (room / (greatest - least).max(Vec2::splat(1e-3))).min_element();
+        let center = 0.5 * (least + greatest) + vec2(0.5 * right / scale, 0.0);
+        let half = 0.5 * size / scale;
+        Self { lower_left: center - half, upper_right: center + half, scale, body: String::new() }
+    }
+
+    /// The point of the plane so many pixels from the left and from the top of the sheet.
+    pub(crate) fn place(&self, left: f32, top: f32) -> Vec2 {
+        vec2(self.lower_left.x + self.units(left), self.upper_right.y - self.units(top))
+    }
+
     /// So many units of the plane are this many pixels.
     pub(crate) fn units(&self, pixels: f32) -> f32 {
         pixels / self.scale
@@ -195,7 +217,27 @@ impl Sheet {
         self.path(&points, pen);
     }
 
-    /// Words beside a point.
+    /// Lines of words, one under the other, the first so many pixels from the left and from the top of the sheet.
+    pub(crate) fn lines<W: Into<Words>>(&mut self, left: f32, top: f32, lines: impl IntoIterator<Item = W>) {
+        for (k, words) in lines.into_iter().enumerate() {
+            let place = self.place(left, top + 1.5 * LETTER * k as f32);
+            self.label(place, Side::Right, words, Letters::Plain, Ink::Main);
+        }
+    }
+
+    /// A surface seen from the side: a line from `a` to `b` with strokes at its right, where its inside is.
+    pub(crate) fn surface(&mut self, a: Vec2, b: Vec2) {
+        let (along, step) = ((b - a).normalize_or_zero(), self.units(14.0));
+        let inwards = step * (-along - along.perp()) * 0.8;
+        let strokes = ((b - a).length() / step) as u16;
+        for k in 1..=strokes {
+            let foot = a + f32::from(k) * step * along;
+            self.line(foot, foot + inwards, Ink::Faint.pen().fine());
+        }
+        self.line(a, b, Ink::Main.pen());
+    }
+
+    /// Words beside a point. `_` and `^` lower and raise the letters and digits that follow: `u_s`, `(e·r)^p`.
     pub(crate) fn label(&mut self, p: Vec2, side: Side, words: impl Into<Words>, letters: Letters, ink: Ink) {
         self.label_sized(p, side, words, letters, ink, LETTER);
     }
@@ -233,7 +275,7 @@ impl Sheet {
         let text = |language: &str, words: &str| {
             html! {
                 text x=(number(place.x)) y=(number(place.y)) text-anchor=(anchor) font-size=(number(height))
-                    class={ (class) (language) } { (words) }
+                    class={ (class) (language) } { (raised_and_lowered(words, height)) }
             }
         };
         if words.en == words.nl {

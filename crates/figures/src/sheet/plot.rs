@@ -2,6 +2,7 @@
 
 use glam::{Vec2, vec2};
 
+use super::text::decimal;
 use super::{Ink, LETTER, Letters, Sheet, Side};
 use crate::figure::Words;
 
@@ -207,8 +208,7 @@ impl Scale {
 }
 
 fn plain(value: f64, step: f64) -> String {
-    let decimals = (-step.log10().floor()).max(0.0) as usize;
-    format!("{value:.decimals$}")
+    decimal(value, (-step.log10().floor()).max(0.0) as usize)
 }
 
 /// 0.01 to 10,000 are written out; others as powers.

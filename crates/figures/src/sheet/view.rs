@@ -1,7 +1,7 @@
 //! How does something in space come onto a sheet? Through the camera of the lecture.
 
 use glam::{Vec2, Vec3};
-use transforms::{Basis, Camera, DegenerateCamera};
+use transforms::{Camera, DegenerateCamera};
 
 /// A camera that looks at a diagram in space. Parallel projection keeps parallels parallel, which diagrams want; for
 /// perspective ask [`transforms::Pipeline`].
@@ -19,10 +19,5 @@ impl View {
     /// Where a point lands on the sheet, in units of the world; `target` lands at (0, 0) only if the sheet is laid so.
     pub(crate) fn at(&self, p_world: Vec3) -> Vec2 {
         self.camera.camera_from_world().transform_point3(p_world).truncate()
-    }
-
-    /// The axes of the view itself.
-    pub(crate) fn basis(&self) -> Basis {
-        self.camera.basis()
     }
 }

@@ -1,0 +1,34 @@
+//! How do the vectors of a lighting model lie? All in the plane of normal and light, which is the sheet.
+
+use glam::{Vec2, Vec3, vec2};
+
+use crate::sheet::{Ink, Sheet};
+
+/// The normal of the surface, up on the sheet.
+pub(super) const N: Vec3 = Vec3::Y;
+
+/// The unit vector so many degrees from the normal, clockwise: to the right.
+pub(super) fn direction(degrees: f32) -> Vec3 {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    Vec3::new(sin, cos, 0.0)
+}
+
+/// Where a vector that starts at the lit point ends on the sheet.
+pub(super) fn tip(vector: Vec3) -> Vec2 {
+    vector.truncate()
+}
+
+/// A sheet with the surface, from 1.1 at the left to 1.1 at the right, and half of the unit circle in which all unit vectors
+/// end; room for words at the right. `lowest` is the least y that must be seen.
+pub(super) fn sheet(lowest: f32) -> Sheet {
+    let seen = [vec2(-1.15, lowest), vec2(1.15, 1.12)];
+    let height = 60.0 + 205.0 * (1.12 - lowest);
+    let mut sheet = Sheet::around(&seen, vec2(760.0, height), 20.0, 230.0);
+    sheet.surface(vec2(-1.1, 0.0), vec2(1.1, 0.0));
+    let circle: Vec<Vec2> = (-45..=45).map(|k| tip(direction(2.0 * k as f32))).collect();
+    sheet.path(&circle, Ink::Faint.pen().fine().dashed());
+    sheet
+}
+
+/// Pixels from the left where the words of a sheet of this kind begin.
+pub(super) const WORDS: f32 = 515.0;
