@@ -43,7 +43,7 @@ fn a_claim_with_a_wrong_expectation_is_reported() {
     };
     let lines = unexpected(&[WRONG.run()]);
     assert_eq!(lines.len(), 1);
-    assert!(lines[0].starts_with("L54-wrong-on-purpose: refuted, expected: holds"), "{lines:?}");
+    assert!(lines[0].starts_with("L54-claim-wrong-on-purpose: refuted, expected: holds"), "{lines:?}");
 }
 
 #[test]

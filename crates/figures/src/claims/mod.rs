@@ -75,10 +75,10 @@ impl Claim {
         Report { claim: self, examination: (self.examine)() }
     }
 
-    /// What its files are called by: `E3-blinn-always-positive`.
+    /// What its files are called by: `E3-claim-h-n-always-positive`; a figure may have the name too.
     #[must_use]
     pub fn stem(&self) -> String {
-        format!("{}-{}", self.number, self.name)
+        format!("{}-claim-{}", self.number, self.name)
     }
 
     /// Whether `asked` means this claim: its number, its name or its stem, in any case.
