@@ -55,7 +55,7 @@ fn draw(values: &Values) -> Drawn {
     sheet.vectors(
         Vec2::ZERO,
         &[
-            Vector::new("gaze", view.at(gaze), Ink::Faint).dashed(),
+            Vector::new("gaze", view.at(gaze), Ink::Faint).called("gaze", "kijkrichting").dashed(),
             Vector::new("up", view.at(up), Ink::Faint).dashed(),
             Vector::new("u", view.at(u), Ink::A),
             Vector::new("v", view.at(v), Ink::C),

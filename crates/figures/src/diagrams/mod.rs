@@ -1,12 +1,12 @@
 //! Which figures are made of lines? Those about vectors, angles and planes; every length in them is computed.
 
-mod barycentric;
 mod camera_frame;
 mod facing_away;
 mod halfway;
 mod lambert;
 mod phong_highlight;
 mod pixel_grid;
+mod plane;
 mod shadow_rays;
 mod slice;
 mod vertex_normals;
@@ -27,7 +27,7 @@ pub(crate) static ALL: &[&Figure] = &[
     &halfway::FIGURE,
     &vertex_normals::FIGURE,
     &viewing_ray::FIGURE,
-    &barycentric::FIGURE,
+    &plane::FIGURE,
     &worked_example::FIGURE,
     &shadow_rays::FIGURE,
 ];

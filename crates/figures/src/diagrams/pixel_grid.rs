@@ -1,8 +1,8 @@
-//! Where in the window does the ray of a pixel go through? (L9, L8, Fig 4.7)
+//! Which point of the window belongs to a pixel? (L9, Fig 4.7)
 
-use glam::{Vec2, vec2};
-use transforms::ViewVolume;
-use transforms::viewport::window_point;
+use glam::{Mat3, Vec2, vec2};
+use transforms::affine2::{scale, translate};
+use transforms::{ViewVolume, viewport};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
@@ -10,32 +10,38 @@ use crate::sheet::text::decimal;
 use crate::sheet::{Ink, Letters, Sheet, Side};
 
 pub(super) static FIGURE: Figure = Figure {
-    numbers: &["L9", "L8", "E14"],
+    numbers: &["L9", "L8"],
     name: "pixel-grid",
-    title: Text { en: "From pixel (i, j) to (u_s, v_s)", nl: "Van pixel (i, j) naar (u_s, v_s)" },
+    title: Text { en: "Rays through pixel centres", nl: "Rays door pixelcentra" },
     caption: Text {
-        en: "The screen reaches from −½ to n_x − ½ and from −½ to n_y − ½, so that pixel centres have whole numbers. The window transform takes the screen to [l, r] × [b, t], and each centre to the point of the window where its viewing ray goes through.",
-        nl: "Het scherm loopt van −½ tot n_x − ½ en van −½ tot n_y − ½, zodat pixelcentra gehele coördinaten hebben. De windowtransformatie brengt het scherm op [l, r] × [b, t], en elk centrum op het punt van het venster waar zijn straal doorheen gaat.",
+        en: "Left the screen [−½, n_x−½] × [−½, n_y−½], where the centres of pixels are whole numbers; right the window [l, r] × [b, t] in the view plane. The window transform carries one to the other, and a ray goes through each dot at the right.",
+        nl: "Links het scherm [−½, n_x−½] × [−½, n_y−½], waar pixelcentra gehele getallen zijn; rechts het venster [l, r] × [b, t] in het viewplane. De windowtransformatie voert het ene over in het andere, en door elke stip rechts gaat een straal.",
     },
     parameters: &[
         Parameter::count(
-            "nx",
-            Text { en: "pixels in a row, n_x", nl: "pixels in een rij, n_x" },
-            6.0,
+            "n_x",
+            Text { en: "pixels in a row, n_x", nl: "pixels op een rij, n_x" },
+            8.0,
             1.0,
             16.0,
         ),
-        Parameter::count("ny", Text { en: "rows of pixels, n_y", nl: "rijen pixels, n_y" }, 4.0, 1.0, 12.0),
+        Parameter::count(
+            "n_y",
+            Text { en: "pixels in a column, n_y", nl: "pixels in een kolom, n_y" },
+            5.0,
+            1.0,
+            12.0,
+        ),
         Parameter::count(
             "i",
-            Text { en: "column i of the pixel", nl: "kolom i van de pixel" },
-            4.0,
+            Text { en: "column i; at most n_x − 1", nl: "kolom i; hoogstens n_x − 1" },
+            6.0,
             0.0,
             15.0,
         ),
         Parameter::count(
             "j",
-            Text { en: "row j of the pixel, upwards", nl: "rij j van de pixel, omhoog" },
+            Text { en: "row j, upwards; at most n_y − 1", nl: "rij j, omhoog; hoogstens n_y − 1" },
             1.0,
             0.0,
             11.0,
@@ -45,103 +51,105 @@ pub(super) static FIGURE: Figure = Figure {
     draw,
 };
 
-/// The window of the figure.
-const WINDOW: ViewVolume =
-    ViewVolume { left: -1.5, right: 1.5, bottom: -1.0, top: 1.0, near: -1.0, far: -9.0 };
+/// Not in the middle, so that no number stands for two things; near and far do not matter here.
+const VOLUME: ViewVolume =
+    ViewVolume { left: -2.0, right: 4.0, bottom: -1.0, top: 3.0, near: -1.0, far: -9.0 };
 
-/// A rectangle on the sheet that shows a rectangle of another plane.
-struct Panel {
-    place: [Vec2; 2],
-    shows: [Vec2; 2],
-}
-
-impl Panel {
-    fn at(&self, p: Vec2) -> Vec2 {
-        let [low, high] = self.shows;
-        self.place[0] + (p - low) / (high - low) * (self.place[1] - self.place[0])
-    }
-
-    fn corners(&self, low: Vec2, high: Vec2) -> [Vec2; 4] {
-        [low, vec2(high.x, low.y), high, vec2(low.x, high.y)].map(|p| self.at(p))
-    }
-}
+/// The room for each of the two grids, in pixels.
+const ROOM: Vec2 = vec2(290.0, 240.0);
 
 fn draw(values: &Values) -> Drawn {
-    let [nx, ny] = ["nx", "ny"].map(|name| values.count(name));
-    // The pixel stays on the screen if that gets smaller.
-    let pixel = vec2(values.count("i").min(nx - 1) as f32, values.count("j").min(ny - 1) as f32);
-    let size = vec2(nx as f32, ny as f32);
-    let screen =
-        Panel { place: [vec2(70.0, 90.0), vec2(390.0, 310.0)], shows: [Vec2::splat(-0.5), size - 0.5] };
-    let ViewVolume { left, right, bottom, top, .. } = WINDOW;
-    let window = Panel {
-        place: [vec2(520.0, 90.0), vec2(840.0, 310.0)],
-        shows: [vec2(left, bottom), vec2(right, top)],
-    };
-    let to_window = |p: Vec2| window_point(&WINDOW, nx, ny, p);
-    let s = to_window(pixel);
+    let (n_x, n_y) = (values.count("n_x"), values.count("n_y"));
+    // A column or row beyond the screen is the last one.
+    let (i, j) = (values.count("i").min(n_x - 1), values.count("j").min(n_y - 1));
+    let pixel = vec2(i as f32, j as f32);
+    let window = viewport::window_point(&VOLUME, n_x, n_y, pixel);
+    let mut sheet = Sheet::new(Vec2::ZERO, vec2(760.0, 440.0), 760.0);
 
-    let mut sheet = Sheet::new(Vec2::ZERO, vec2(900.0, 390.0), 900.0);
     let half = Vec2::splat(0.5);
-    sheet.wash(&screen.corners(pixel - half, pixel + half), Ink::A);
-    sheet.wash(&window.corners(to_window(pixel - half), to_window(pixel + half)), Ink::A);
-    for j in 0..ny {
-        for i in 0..nx {
-            let center = vec2(i as f32, j as f32);
-            sheet.polygon(&screen.corners(center - half, center + half), Ink::Faint.pen().fine());
-            sheet.polygon(
-                &window.corners(to_window(center - half), to_window(center + half)),
-                Ink::Faint.pen().fine(),
-            );
-        }
+    let size = vec2(n_x as f32, n_y as f32);
+    let sheet_from_screen = fitted(-half, size - half, vec2(60.0, 150.0));
+    let (lower_left, upper_right) = (vec2(VOLUME.left, VOLUME.bottom), vec2(VOLUME.right, VOLUME.top));
+    let sheet_from_pixel =
+        fitted(lower_left, upper_right, vec2(420.0, 150.0)) * viewport::window_from_pixel(&VOLUME, n_x, n_y);
+    let corners = [
+        (sheet_from_screen, Ink::A, "(−½, −½)".to_owned(), "(n_x−½, n_y−½)".to_owned()),
+        (sheet_from_pixel, Ink::B, "(l, b) = (−2, −1)".to_owned(), "(r, t) = (4, 3)".to_owned()),
+    ];
+    for (map, ink, first, last) in corners {
+        grid(&mut sheet, &map, size, pixel, ink);
+        sheet.label(map.transform_point2(-half), Side::BelowRight, first, Letters::Plain, ink);
+        sheet.label(map.transform_point2(size - half), Side::AboveLeft, last, Letters::Plain, ink);
     }
-    sheet.polygon(&screen.corners(-half, size - 0.5), Ink::B.pen());
-    sheet.polygon(&window.corners(vec2(left, bottom), vec2(right, top)), Ink::C.pen());
-    sheet.arrow(vec2(410.0, 200.0), vec2(500.0, 200.0), Ink::Main.pen());
-    sheet.dot(screen.at(pixel), Ink::A);
-    sheet.dot(window.at(s), Ink::A);
-    ends(&mut sheet, &screen, &window, (nx, ny));
-    let words = format!("(i, j) = ({}, {})", pixel.x, pixel.y);
-    sheet.label(vec2(230.0, 330.0), Side::Above, words, Letters::Plain, Ink::A);
-    let words = format!("(u_s, v_s) = ({}, {})", decimal(s.x, 3), decimal(s.y, 3));
-    sheet.label(vec2(680.0, 330.0), Side::Above, words, Letters::Plain, Ink::A);
+    let ends = [sheet_from_screen, sheet_from_pixel].map(|map| map.transform_point2(pixel));
+    sheet.arrow(ends[0], ends[1], Ink::Main.pen().fine());
+    formulas(&mut sheet, (n_x, n_y), (i, j), window);
+    let (u, v) = (decimal(window.x, 3), decimal(window.y, 3));
     let alt = Words::new(
-        format!(
-            "Pixel ({}, {}) of {nx} × {ny} goes to ({}, {}) in the window.",
-            pixel.x,
-            pixel.y,
-            decimal(s.x, 3),
-            decimal(s.y, 3)
-        ),
-        format!(
-            "Pixel ({}, {}) van {nx} × {ny} gaat naar ({}, {}) in het venster.",
-            pixel.x,
-            pixel.y,
-            decimal(s.x, 3),
-            decimal(s.y, 3)
-        ),
+        format!("Pixel ({i}, {j}) of {n_x} × {n_y} pixels belongs to the point ({u}, {v}) of the window."),
+        format!("Pixel ({i}, {j}) van {n_x} × {n_y} pixels hoort bij het punt ({u}, {v}) van het venster."),
     );
     Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
 }
 
-/// The numbers at the ends of both rectangles.
-fn ends(sheet: &mut Sheet, screen: &Panel, window: &Panel, (nx, ny): (u32, u32)) {
-    let half = |n: u32| format!("{}½", n - 1).replace("0½", "½");
-    let mut below = |p: Vec2, words: String, ink| sheet.label(p, Side::Below, words, Letters::Plain, ink);
-    let [low, high] = screen.place;
-    below(low, "−½".to_owned(), Ink::B);
-    below(vec2(high.x, low.y), half_name(nx, &half), Ink::B);
-    let [wlow, whigh] = window.place;
-    below(wlow, format!("l = {}", decimal(WINDOW.left, 1)), Ink::C);
-    below(vec2(whigh.x, wlow.y), format!("r = {}", decimal(WINDOW.right, 1)), Ink::C);
-    let mut left = |p: Vec2, words: String, ink| sheet.label(p, Side::AboveLeft, words, Letters::Plain, ink);
-    left(low, "−½".to_owned(), Ink::B);
-    left(vec2(low.x, high.y), half_name(ny, &half), Ink::B);
-    left(wlow, format!("b = {}", decimal(WINDOW.bottom, 1)), Ink::C);
-    left(vec2(wlow.x, whigh.y), format!("t = {}", decimal(WINDOW.top, 1)), Ink::C);
+/// From a rectangle of the plane into the room whose lower left corner is `at`, as large as it can be.
+fn fitted(lower_left: Vec2, upper_right: Vec2, at: Vec2) -> Mat3 {
+    let size = upper_right - lower_left;
+    let factor = (ROOM / size).min_element();
+    let aside = 0.5 * (ROOM - factor * size);
+    translate(at + aside) * scale(Vec2::splat(factor)) * translate(-lower_left)
 }
 
-/// n − ½ as a mixed number.
-fn half_name(n: u32, half: &dyn Fn(u32) -> String) -> String {
-    if n == 1 { "½".to_owned() } else { half(n) }
+/// All pixels with their centres, as a map carries them to the sheet; one of them tinted.
+fn grid(sheet: &mut Sheet, map: &Mat3, size: Vec2, pixel: Vec2, ink: Ink) {
+    let at = |x: f32, y: f32| map.transform_point2(vec2(x, y));
+    let (least, greatest) = (Vec2::splat(-0.5), size - Vec2::splat(0.5));
+    for i in 0..=size.x as u16 {
+        let x = f32::from(i) - 0.5;
+        sheet.line(at(x, least.y), at(x, greatest.y), Ink::Faint.pen().fine());
+    }
+    for j in 0..=size.y as u16 {
+        let y = f32::from(j) - 0.5;
+        sheet.line(at(least.x, y), at(greatest.x, y), Ink::Faint.pen().fine());
+    }
+    let around = |c: Vec2, d: f32| [(-d, -d), (d, -d), (d, d), (-d, d)].map(|(x, y)| at(c.x + x, c.y + y));
+    sheet.wash(&around(pixel, 0.5), ink);
+    let middle = 0.5 * (size - Vec2::ONE);
+    let half = 0.5 * size;
+    let outline = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
+        .map(|(x, y)| at(middle.x + x * half.x, middle.y + y * half.y));
+    sheet.polygon(&outline, ink.pen());
+    for i in 0..size.x as u16 {
+        for j in 0..size.y as u16 {
+            let center = vec2(f32::from(i), f32::from(j));
+            if center == pixel {
+                sheet.dot(at(center.x, center.y), ink);
+            } else {
+                sheet.speck(at(center.x, center.y), Ink::Faint);
+            }
+        }
+    }
+}
+
+fn formulas(sheet: &mut Sheet, (n_x, n_y): (u32, u32), (i, j): (u32, u32), window: Vec2) {
+    let number = |x| decimal(x, 0);
+    let ViewVolume { left, right, bottom, top, .. } = VOLUME;
+    let line = |letters: [&str; 5], [least, greatest]: [f32; 2], k: u32, n: u32, result: f32| {
+        let [s, l, r, index, count] = letters;
+        format!(
+            "{s} = {l} + ({r}−{l})({index}+½)/{count} = {} + {}·{k}.5/{n} = {}",
+            number(least),
+            number(greatest - least),
+            decimal(result, 3)
+        )
+    };
+    sheet.lines(
+        50.0,
+        355.0,
+        [
+            format!("(i, j) = ({i}, {j})"),
+            line(["u_s", "l", "r", "i", "n_x"], [left, right], i, n_x, window.x),
+            line(["v_s", "b", "t", "j", "n_y"], [bottom, top], j, n_y, window.y),
+        ],
+    );
 }

@@ -1,40 +1,47 @@
-//! Which of two points is in shadow? A ray from each to the light tells (L56, Fig 4.17).
-
-use std::sync::Arc;
+//! Is a point in shadow? A ray from it to the light tells (L56, Fig 4.17).
 
 use canvas::Rgb;
-use geometry::{Plane, Ray, shapes};
+use geometry::{Plane, Sphere};
 use glam::{Mat4, Vec2, Vec3, vec2, vec3};
-use lighting::Light;
-use raytrace::{Object, Shape, Surface, TracedMesh, World, nearest, shadow};
+use lighting::{Illumination, Light};
+use raytrace::shadow::{is_lit, shadow_ray};
+use raytrace::{Object, Ray, Shape, Surface, World, nearest};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
+use crate::sheet::text::degrees;
 use crate::sheet::{Ink, Letters, Sheet, Side};
 
 pub(super) static FIGURE: Figure = Figure {
-    numbers: &["L56", "E12"],
+    numbers: &["L56"],
     name: "shadow-rays",
     title: Text { en: "Shadow rays", nl: "Schaduwstralen" },
     caption: Text {
-        en: "Light comes from the direction l, from infinitely far. The ray from p meets nothing on its way there, so p is lit; the ray from q meets the box, so q is in shadow.",
-        nl: "Licht komt uit de richting l, van oneindig ver. De straal vanuit p raakt onderweg niets, dus p is belicht; de straal vanuit q raakt de doos, dus q ligt in de schaduw.",
+        en: "From each point goes a shadow ray p + t·l towards a light at infinity. If it meets an object, the point is in shadow; otherwise it is lit. The dark part of the ground is asked in the same way, point by point.",
+        nl: "Vanuit elk punt gaat een schaduwstraal p + t·l naar een lichtbron op oneindig. Snijdt die een object, dan ligt het punt in schaduw; anders is het verlicht. Het donkere deel van de grond is op dezelfde manier bevraagd, punt voor punt.",
     },
     parameters: &[
         Parameter::number(
             "light",
             Text {
-                en: "height of the light above the horizon, degrees",
-                nl: "hoogte van het licht boven de horizon, graden",
+                en: "angle between the vertical and the light, degrees; positive to the right",
+                nl: "hoek tussen de verticaal en het licht, graden; positief naar rechts",
             },
-            50.0,
-            15.0,
-            165.0,
+            35.0,
+            -60.0,
+            60.0,
+        ),
+        Parameter::number(
+            "p",
+            Text { en: "place of p on the ground", nl: "plaats van p op de grond" },
+            1.2,
+            -3.0,
+            3.0,
         ),
         Parameter::number(
             "q",
             Text { en: "place of q on the ground", nl: "plaats van q op de grond" },
-            -1.3,
+            -0.9,
             -3.0,
             3.0,
         ),
@@ -43,84 +50,119 @@ pub(super) static FIGURE: Figure = Figure {
     draw,
 };
 
-/// Width and height of the box, which stands on the ground around x = 0.
-const BOX: Vec2 = vec2(1.2, 1.5);
+const CENTER: Vec3 = vec3(0.1, 1.5, 0.0);
+const RADIUS: f32 = 0.55;
+/// The ends of what is drawn.
+const LEFT: f32 = -3.4;
+const RIGHT: f32 = 3.4;
+const TOP: f32 = 2.9;
 
 fn draw(values: &Values) -> Drawn {
-    let (angle, q) = (values.number("light").to_radians(), values.number("q"));
-    let light = Light::Directional { to_light: vec3(angle.cos(), angle.sin(), 0.0), color: Rgb::ONE };
-    let world = world(light)?;
-    let mut sheet = Sheet::new(vec2(-4.0, -0.55), vec2(4.0, 3.2), 800.0);
-    // The inside of a surface is drawn at its right, so the ground runs to the left.
-    sheet.surface(vec2(-3.9, 0.0), vec2(3.9, 0.0));
-    let corners = [(-0.5, 0.0), (0.5, 0.0), (0.5, 1.0), (-0.5, 1.0)].map(|(x, y)| BOX * vec2(x, y));
-    sheet.wash(&corners, Ink::B);
-    sheet.polygon(&corners, Ink::B.pen());
-    let mut said = Vec::new();
-    for (name, x, ink) in [("p", 2.1, Ink::C), ("q", q, Ink::A)] {
-        let found = shadow_ray(&world, light, x)?;
-        let pen = if found.is_lit { Ink::C.pen() } else { Ink::D.pen() };
-        sheet.arrow(found.start, found.end, pen);
-        if !found.is_lit {
-            sheet.dot(found.end, Ink::D);
-        }
-        sheet.dot(found.start, ink);
-        sheet.label(found.start, Side::Below, name, Letters::Vector, ink);
-        said.push((name, found.is_lit));
-    }
-    let way = vec2(angle.cos(), angle.sin());
-    let corner = vec2(if way.x > 0.0 { -3.6 } else { 3.6 }, 2.2);
-    sheet.arrow(corner, corner + 0.7 * way, Ink::Main.pen());
-    sheet.label(corner + 0.35 * way, Side::Left, "l", Letters::Vector, Ink::Main);
-    let alt = alt(&said);
+    let [angle, p, q] = ["light", "p", "q"].map(|name| values.number(name));
+    let (sin, cos) = angle.to_radians().sin_cos();
+    let to_light = vec3(sin, cos, 0.0);
+    let world = world(to_light)?;
+    let light = world.lights[0].illumination(Vec3::ZERO).ok_or("a light without a direction")?;
+    let seen = [vec2(LEFT, -0.55), vec2(RIGHT, TOP)];
+    let mut sheet = Sheet::around(&seen, vec2(760.0, 440.0), 20.0, 0.0);
+    ground(&mut sheet, &world, &light);
+    sheet.wash(&circle(), Ink::B);
+    sheet.polygon(&circle(), Ink::B.pen());
+    sheet.label(CENTER.truncate(), Side::Middle, Words::new("object", "object"), Letters::Plain, Ink::B);
+    let lit = [p, q].map(|x| ray_to_light(&mut sheet, &world, &light, x));
+    let below = vec2(0.0, -sheet.units(26.0));
+    let names = [(p, "p", lit[0]), (q, "q", lit[1])];
+    sheet.names(&names.map(|(x, name, lit)| (vec2(x, 0.0) + below, name, ink(lit))));
+    let words = names.map(|(_, name, lit)| verdict(name, lit));
+    sheet.lines(
+        20.0,
+        28.0,
+        [Words::from(format!("l: {}", degrees(angle.to_radians()))), words[0].clone(), words[1].clone()],
+    );
+    let alt = Words::new(
+        format!(
+            "A ball above the ground, light from {angle:.1}° off the vertical: {}; {}.",
+            words[0].en, words[1].en
+        ),
+        format!(
+            "Een bol boven de grond, licht van {angle:.1}° naast de verticaal: {}; {}.",
+            words[0].nl, words[1].nl
+        ),
+    );
     Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
 }
 
-/// The ground and a box, deep enough to be a rectangle seen from the side.
-fn world(light: Light) -> Result<World, Box<dyn std::error::Error + Send + Sync>> {
-    let cuboid = shapes::cuboid(vec3(BOX.x, BOX.y, 2.0), 0)?;
-    let place = Mat4::from_translation(vec3(0.0, 0.5 * BOX.y, 0.0));
-    let surface = || vec![Surface::default()];
-    let objects = vec![
-        Object::new(Shape::Plane(Plane::new(Vec3::ZERO, Vec3::Y)), Mat4::IDENTITY, surface())?,
-        Object::new(Shape::Mesh(Arc::new(TracedMesh::new(cuboid))), place, surface())?,
-    ];
-    Ok(World::new(objects, vec![light]))
+fn world(to_light: Vec3) -> Result<World, raytrace::ObjectError> {
+    let object = |shape| Object::new(shape, Mat4::IDENTITY, vec![Surface::default()]);
+    let ground = object(Shape::Plane(Plane::new(Vec3::ZERO, Vec3::Y)))?;
+    let ball = object(Shape::Sphere(Sphere::new(CENTER, RADIUS)))?;
+    Ok(World::new(vec![ground, ball], vec![Light::Directional { to_light, color: Rgb::ONE }]))
 }
 
-/// A shadow ray as it is drawn.
-struct Found {
-    start: Vec2,
-    end: Vec2,
-    is_lit: bool,
+/// The shadow ray from the ground at x, and whether it is free. It starts where a ray from just above meets the ground.
+fn shadow_ray_from(world: &World, light: &Illumination, x: f32) -> Option<(Ray, bool)> {
+    let down = Ray::new(vec3(x, 0.5 * (CENTER.y - RADIUS), 0.0), Vec3::NEG_Y);
+    let hit = nearest(world, &down, 0.0, f32::INFINITY)?;
+    Some((shadow_ray(world, &down, &hit, light), is_lit(world, &down, &hit, light)))
 }
 
-/// The shadow ray from what is seen from above at `x`: the ground, or the top of the box.
-fn shadow_ray(world: &World, light: Light, x: f32) -> Result<Found, &'static str> {
-    /// How much of a ray that meets nothing is drawn.
-    const LENGTH: f32 = 2.6;
-    let from_above = Ray::new(vec3(x, 9.0, 0.0), Vec3::NEG_Y);
-    let hit = nearest(world, &from_above, 0.0, f32::INFINITY).ok_or("there is no ground")?;
-    let light = light.illumination(hit.point).ok_or("the light comes from nowhere")?;
-    let ray = shadow::shadow_ray(world, &from_above, &hit, &light);
-    let is_lit = shadow::is_lit(world, &from_above, &hit, &light);
-    let end = nearest(world, &ray, 0.0, light.distance).map_or(LENGTH, |stop| stop.t);
-    Ok(Found { start: hit.point.truncate(), end: ray.at(end).truncate(), is_lit })
+/// The ground from the side; where no light arrives a broad line.
+fn ground(sheet: &mut Sheet, world: &World, light: &Illumination) {
+    /// A stretch of ground is a few pixels wide.
+    const STRETCHES: u16 = 340;
+    sheet.surface(vec2(LEFT, 0.0), vec2(RIGHT, 0.0));
+    let width = (RIGHT - LEFT) / f32::from(STRETCHES);
+    for k in 0..STRETCHES {
+        let x = LEFT + width * (f32::from(k) + 0.5);
+        if shadow_ray_from(world, light, x).is_some_and(|(_, is_lit)| !is_lit) {
+            let half = vec2(0.5 * width, 0.0);
+            sheet.line(vec2(x, 0.0) - half, vec2(x, 0.0) + half, Ink::D.pen().wide());
+        }
+    }
 }
 
-fn alt(said: &[(&str, bool)]) -> Words {
-    let en = said.iter().map(|(name, lit)| format!("{name} is {}", if *lit { "lit" } else { "in shadow" }));
-    let nl = said
-        .iter()
-        .map(|(name, lit)| format!("{name} {}", if *lit { "is belicht" } else { "ligt in de schaduw" }));
-    Words::new(
-        format!(
-            "A box on the ground and a ray towards the light from two points: {}.",
-            en.collect::<Vec<_>>().join(", ")
-        ),
-        format!(
-            "Een doos op de grond en een straal naar het licht vanuit twee punten: {}.",
-            nl.collect::<Vec<_>>().join(", ")
-        ),
-    )
+fn circle() -> Vec<Vec2> {
+    let point = |k: u16| CENTER.truncate() + RADIUS * Vec2::from_angle(f32::from(k).to_radians());
+    (0..360).step_by(3).map(point).collect()
+}
+
+/// Draws the ray, up to the edge of the drawing or to what it meets.
+fn ray_to_light(sheet: &mut Sheet, world: &World, light: &Illumination, x: f32) -> bool {
+    let Some((ray, is_lit)) = shadow_ray_from(world, light, x) else {
+        return true;
+    };
+    let ink = ink(is_lit);
+    sheet.dot(ray.origin.truncate(), ink);
+    let leaves = end_of_sheet(&ray);
+    if let Some(hit) = nearest(world, &ray, 0.0, light.distance) {
+        let stop = hit.point.truncate();
+        sheet.line(ray.origin.truncate(), stop, ink.pen());
+        sheet.dot(stop, ink);
+        sheet.line(stop, leaves, Ink::Faint.pen().dashed().fine());
+    } else {
+        sheet.arrow(ray.origin.truncate(), leaves, ink.pen());
+        sheet.label(leaves, Side::Below, "", Letters::Vector, ink);
+    }
+    is_lit
+}
+
+/// Where the ray leaves the drawing: at its top, or at a side before.
+fn end_of_sheet(ray: &Ray) -> Vec2 {
+    let d = ray.direction;
+    let up = (TOP - ray.origin.y) / d.y;
+    let aside = if d.x > 0.0 { (RIGHT - ray.origin.x) / d.x } else { (LEFT - ray.origin.x) / d.x };
+    // Straight up the second is infinite.
+    ray.at(up.min(if aside.is_nan() { up } else { aside.abs() })).truncate()
+}
+
+fn ink(is_lit: bool) -> Ink {
+    if is_lit { Ink::A } else { Ink::D }
+}
+
+fn verdict(name: &str, is_lit: bool) -> Words {
+    if is_lit {
+        Words::new(format!("{name} is lit"), format!("{name} is verlicht"))
+    } else {
+        Words::new(format!("{name} is in shadow"), format!("{name} ligt in schaduw"))
+    }
 }

@@ -1,111 +1,120 @@
-//! Which points lie on the ray of a pixel? p(t) = e + t(s − e) (L46, L47, Fig 4.6)
+//! Which points lie on the ray from the eye through a pixel? (L46, L47, Fig 4.6)
 
-use glam::{Vec3, vec2, vec3};
+use glam::{Vec2, Vec3, vec2, vec3};
+use raytrace::{Ray, viewing_ray};
 use transforms::{Camera, Pipeline, ViewVolume};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::text::triple;
+use crate::sheet::text::{decimal, triple};
 use crate::sheet::view::View;
-use crate::sheet::{Ink, Letters, Sheet, Side};
+use crate::sheet::{Ink, Sheet};
 
 pub(super) static FIGURE: Figure = Figure {
-    numbers: &["L46", "L47", "E13"],
+    numbers: &["L46", "L47"],
     name: "viewing-ray",
     title: Text { en: "Computing viewing rays", nl: "Berekenen viewing rays" },
     caption: Text {
-        en: "The ray from the eye e through the point s of the window that belongs to a pixel. p(0) = e and p(1) = s; larger t is farther away, negative t behind the eye. s is a point of the world: e + u_s u + v_s v + n w (E13).",
-        nl: "De straal vanuit het oog e door het punt s van het venster dat bij een pixel hoort. p(0) = e en p(1) = s; grotere t is verder weg, negatieve t achter het oog. s is een punt van de wereld: e + u_s u + v_s v + n w (E13).",
+        en: "The line p(t) = e + t(s − e) starts in the eye, p(0) = e, and crosses the image plane in the pixel, p(1) = s. Of two points before the eye the one with the smaller t is nearer; points with t < 0 lie behind the eye.",
+        nl: "De lijn p(t) = e + t(s − e) begint in het oog, p(0) = e, en snijdt het beeldvlak in de pixel, p(1) = s. Van twee punten voor het oog is dat met de kleinste t het dichtst bij; punten met t < 0 liggen achter het oog.",
     },
     parameters: &[
-        Parameter::number("t", Text { en: "t of the point p", nl: "t van het punt p" }, 1.7, -0.4, 2.2),
-        Parameter::count(
-            "i",
-            Text { en: "column i of the pixel", nl: "kolom i van de pixel" },
-            5.0,
-            0.0,
-            7.0,
-        ),
-        Parameter::count("j", Text { en: "row j of the pixel", nl: "rij j van de pixel" }, 4.0, 0.0, 5.0),
+        Parameter::count("i", Text { en: "column i of 8", nl: "kolom i van 8" }, 6.0, 0.0, 7.0),
+        Parameter::count("j", Text { en: "row j of 6, upwards", nl: "rij j van 6, omhoog" }, 4.0, 0.0, 5.0),
+        Parameter::number("t", Text { en: "t of the point p(t)", nl: "t van het punt p(t)" }, 1.7, -0.6, 2.5),
     ],
     size: (640, 480),
     draw,
 };
 
-/// Pixels of the screen.
-const SCREEN: (u32, u32) = (8, 6);
+const WIDTH: u32 = 8;
+const HEIGHT: u32 = 6;
+/// How far the line is drawn.
+const LEAST_T: f32 = -0.6;
+const GREATEST_T: f32 = 2.5;
 
 fn draw(values: &Values) -> Drawn {
-    let t = values.number("t");
-    let (i, j) = (values.count("i"), values.count("j"));
-    let volume = ViewVolume { left: -1.2, right: 1.2, bottom: -0.9, top: 0.9, near: -2.0, far: -9.0 };
-    let camera = Camera::look_at(vec3(0.0, 0.0, 2.0), Vec3::ZERO, Vec3::Y)?;
-    let pipeline = Pipeline::new(camera, volume, SCREEN.0, SCREEN.1)?;
-    let ray = raytrace::viewing_ray(&pipeline, i as f32, j as f32);
-    let (e, s, p) = (ray.at(0.0), ray.at(1.0), ray.at(t));
-
-    let view = View::new(vec3(4.0, 1.6, 1.6), Vec3::ZERO)?;
-    let at = |p: Vec3| view.at(p);
-    let seen = [
-        at(vec3(0.5, -0.9, 2.8)),
-        at(vec3(1.2, 0.9, 0.0)),
-        at(vec3(1.0, 1.4, -2.6)),
-        at(vec3(-1.2, -0.9, 0.0)),
-    ];
-    let mut sheet = Sheet::around(&seen, vec2(780.0, 400.0), 20.0, 0.0);
-    window(&mut sheet, &view, &volume, (i, j));
-    sheet.line(at(ray.at(-0.4)), at(e), Ink::A.pen().dashed());
-    sheet.line(at(e), at(s), Ink::A.pen().wide());
-    sheet.arrow(at(s), at(ray.at(2.3)), Ink::A.pen());
-    let here = [(e, "e = p(0)", Ink::Main, Side::Below), (s, "s = p(1)", Ink::A, Side::Below)];
-    for (point, name, ink, side) in here {
-        sheet.dot(at(point), ink);
-        sheet.label(at(point), side, name, Letters::Vector, ink);
-    }
-    sheet.dot(at(p), Ink::D);
-    sheet.label(at(p), Side::Above, format!("p({t})"), Letters::Vector, Ink::D);
-    let where_it_is = match t {
-        t if t < 0.0 => Words::new("behind the eye", "achter het oog"),
-        t if t < 1.0 => Words::new("between eye and window", "tussen oog en venster"),
-        _ => Words::new("beyond the window", "voorbij het venster"),
+    let [i, j, t] = ["i", "j", "t"].map(|name| values.number(name));
+    let camera = Camera::look_at(vec3(1.0, 2.0, 5.0), vec3(1.0, 2.0, 0.0), Vec3::Y)?;
+    let volume = ViewVolume { left: -1.6, right: 1.6, bottom: -1.2, top: 1.2, near: -2.4, far: -12.0 };
+    let pipeline = Pipeline::new(camera, volume, WIDTH, HEIGHT)?;
+    let ray = viewing_ray(&pipeline, i, j);
+    let view = View::new(vec3(6.0, 4.6, 7.0), vec3(1.0, 2.0, 2.0))?;
+    // Wherever the pixel is, its line stays within those of the four corners.
+    let ends = corners(&pipeline).into_iter().flat_map(|ray| [ray.at(LEAST_T), ray.at(GREATEST_T)]);
+    let seen: Vec<Vec2> = ends.map(|p| view.at(p)).collect();
+    let mut sheet = Sheet::around(&seen, vec2(760.0, 460.0), 20.0, 170.0);
+    image_plane(&mut sheet, &view, &pipeline, vec2(i, j));
+    line(&mut sheet, &view, &ray, t);
+    let p = ray.at(t);
+    sheet.lines(
+        500.0,
+        50.0,
+        [
+            format!("e = {}", triple(ray.origin)),
+            format!("s = {}", triple(ray.at(1.0))),
+            format!("t = {}", decimal(t, 2)),
+            format!("p = {}", triple(p)),
+        ],
+    );
+    let place = match t {
+        t if t < 0.0 => Words::new("t < 0: behind the eye", "t < 0: achter het oog"),
+        t if t < 1.0 => Words::new("between e and s", "tussen e en s"),
+        _ => Words::new("t ≥ 1: s or beyond", "t ≥ 1: s of voorbij"),
     };
+    sheet.lines(500.0, 158.0, [place.clone()]);
+    let (t, p) = (decimal(t, 2), triple(p));
     let alt = Words::new(
         format!(
-            "The ray through pixel ({i}, {j}): e = {}, s = {}, p({t}) = {}, {}.",
-            triple(e),
-            triple(s),
-            triple(p),
-            where_it_is.en
+            "A line from the eye through pixel ({i}, {j}) of the image plane; its point at t = {t} is {p}: {}.",
+            place.en
         ),
         format!(
-            "De straal door pixel ({i}, {j}): e = {}, s = {}, p({t}) = {}, {}.",
-            triple(e),
-            triple(s),
-            triple(p),
-            where_it_is.nl
+            "Een lijn vanuit het oog door pixel ({i}, {j}) van het beeldvlak; het punt bij t = {t} is {p}: {}.",
+            place.nl
         ),
     );
     Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
 }
 
-/// The window with its pixels, that of the ray filled.
-fn window(sheet: &mut Sheet, view: &View, volume: &ViewVolume, (i, j): (u32, u32)) {
-    // The camera's frame is that of the world, its eye at z = 2, so the window lies at z = 0.
-    let at = |x: f32, y: f32| {
-        let u = volume.left + (volume.right - volume.left) * x / SCREEN.0 as f32;
-        let v = volume.bottom + (volume.top - volume.bottom) * y / SCREEN.1 as f32;
-        view.at(vec3(u, v, 0.0))
-    };
-    let (width, height) = (SCREEN.0 as f32, SCREEN.1 as f32);
-    for column in 0..=SCREEN.0 {
-        let x = column as f32;
-        sheet.line(at(x, 0.0), at(x, height), Ink::Faint.pen().fine());
+/// The rays through the corners of the screen.
+fn corners(pipeline: &Pipeline) -> [Ray; 4] {
+    let (right, top) = (WIDTH as f32 - 0.5, HEIGHT as f32 - 0.5);
+    [(-0.5, -0.5), (right, -0.5), (right, top), (-0.5, top)].map(|(i, j)| viewing_ray(pipeline, i, j))
+}
+
+/// The window with its pixels, the one of the ray tinted.
+fn image_plane(sheet: &mut Sheet, view: &View, pipeline: &Pipeline, pixel: Vec2) {
+    let at = |i: f32, j: f32| view.at(viewing_ray(pipeline, i, j).at(1.0));
+    let (right, top) = (WIDTH as f32 - 0.5, HEIGHT as f32 - 0.5);
+    for i in 0..=WIDTH {
+        let i = i as f32 - 0.5;
+        sheet.line(at(i, -0.5), at(i, top), Ink::Faint.pen().fine());
     }
-    for row in 0..=SCREEN.1 {
-        let y = row as f32;
-        sheet.line(at(0.0, y), at(width, y), Ink::Faint.pen().fine());
+    for j in 0..=HEIGHT {
+        let j = j as f32 - 0.5;
+        sheet.line(at(-0.5, j), at(right, j), Ink::Faint.pen().fine());
     }
-    let (x, y) = (i as f32, j as f32);
-    sheet.wash(&[at(x, y), at(x + 1.0, y), at(x + 1.0, y + 1.0), at(x, y + 1.0)], Ink::A);
-    sheet.polygon(&[at(0.0, 0.0), at(width, 0.0), at(width, height), at(0.0, height)], Ink::B.pen());
+    let outline = corners(pipeline).map(|ray| view.at(ray.at(1.0)));
+    sheet.wash(&outline, Ink::B);
+    sheet.polygon(&outline, Ink::B.pen());
+    let d = 0.5;
+    let around = [(-d, -d), (d, -d), (d, d), (-d, d)].map(|(x, y)| at(pixel.x + x, pixel.y + y));
+    sheet.wash(&around, Ink::A);
+    sheet.polygon(&around, Ink::A.pen().fine());
+}
+
+fn line(sheet: &mut Sheet, view: &View, ray: &Ray, t: f32) {
+    let at = |t: f32| view.at(ray.at(t));
+    sheet.line(at(LEAST_T), at(0.0), Ink::A.pen().dashed());
+    sheet.arrow(at(0.0), at(GREATEST_T), Ink::A.pen());
+    let beside = sheet.units(16.0) * (at(1.0) - at(0.0)).normalize_or(Vec2::X).perp();
+    for (t, ink) in [(0.0, Ink::Main), (1.0, Ink::B), (t, Ink::D)] {
+        sheet.dot(at(t), ink);
+    }
+    sheet.names(&[
+        (at(0.0) - beside, "e", Ink::Main),
+        (at(1.0) - beside, "s", Ink::B),
+        (at(t) + 1.3 * beside, "p(t)", Ink::D),
+    ]);
 }

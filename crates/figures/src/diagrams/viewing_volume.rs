@@ -1,124 +1,114 @@
-//! What part of space does a camera see? A pyramid without its top (L7, Fig 7.7).
+//! Which part of space does the camera see, and where do its rays cross the view plane? (L7, Fig 7.7)
 
-use glam::{Vec3, vec2, vec3};
+use glam::{Vec2, Vec3, vec2, vec3};
 use transforms::ViewVolume;
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
+use crate::sheet::crowd::Vector;
+use crate::sheet::text::decimal;
 use crate::sheet::view::View;
-use crate::sheet::{Ink, Letters, Sheet, Side};
+use crate::sheet::{Ink, Pen, Sheet};
+
+const fn edge(name: &'static str, label: Text, default: f32, least: f32, greatest: f32) -> Parameter {
+    Parameter::number(name, label, default, least, greatest)
+}
 
 pub(super) static FIGURE: Figure = Figure {
-    numbers: &["L7", "E2"],
+    numbers: &["L7"],
     name: "viewing-volume",
-    title: Text { en: "Viewing volume for ray tracing", nl: "Viewing volume voor ray tracing" },
+    title: Text { en: "Viewing volume and view plane w = n", nl: "Viewing volume en viewplane w = n" },
     caption: Text {
-        en: "Rays from e through the window [l, r] × [b, t] on the view plane w = n fill a pyramid; what lies between w = n and w = f is seen. The camera looks along −w, so n and f are negative (E2).",
-        nl: "Stralen vanuit e door het venster [l, r] × [b, t] op het viewplane w = n vullen een piramide; wat tussen w = n en w = f ligt wordt gezien. De camera kijkt langs −w, dus n en f zijn negatief (E2).",
+        en: "In camera coordinates the eye e is the origin and looks along −w. The window l, r, b, t lies in the view plane w = n; rays from e through its corners bound what is seen, up to the far plane w = f. Both n and f are negative.",
+        nl: "In cameracoördinaten is het oog e de oorsprong en kijkt het langs −w. Het venster l, r, b, t ligt in het viewplane w = n; stralen vanuit e door de hoeken begrenzen wat gezien wordt, tot aan het far-vlak w = f. Zowel n als f is negatief.",
     },
     parameters: &[
-        Parameter::number(
-            "n",
-            Text { en: "w-coordinate n of the near plane", nl: "w-coördinaat n van het near-vlak" },
-            -2.0,
-            -2.8,
-            -1.2,
+        edge(
+            "l",
+            Text { en: "left edge l of the window", nl: "linkerrand l van het venster" },
+            -1.0,
+            -1.6,
+            -0.2,
         ),
-        Parameter::number(
-            "f",
-            Text { en: "w-coordinate f of the far plane", nl: "w-coördinaat f van het far-vlak" },
-            -5.0,
-            -6.0,
-            -3.2,
-        ),
-        Parameter::number(
-            "r",
-            Text { en: "right edge r of the window", nl: "rechterrand r van het venster" },
-            1.0,
-            0.2,
-            1.4,
-        ),
-        Parameter::number(
-            "t",
-            Text { en: "upper edge t of the window", nl: "bovenrand t van het venster" },
-            0.8,
-            0.2,
-            1.2,
-        ),
+        edge("r", Text { en: "right edge r", nl: "rechterrand r" }, 1.4, 0.2, 1.6),
+        edge("b", Text { en: "bottom edge b", nl: "onderrand b" }, -0.8, -1.2, -0.2),
+        edge("t", Text { en: "top edge t", nl: "bovenrand t" }, 1.0, 0.2, 1.2),
+        edge("n", Text { en: "near plane n", nl: "near-vlak n" }, -2.5, -3.5, -1.5),
+        edge("f", Text { en: "far plane f", nl: "far-vlak f" }, -5.5, -8.0, -4.5),
     ],
     size: (640, 480),
     draw,
 };
 
 fn draw(values: &Values) -> Drawn {
-    let [near, far, right, top] = ["n", "f", "r", "t"].map(|name| values.number(name));
-    let volume = ViewVolume { left: -0.8, right, bottom: -0.6, top, near, far };
+    let [left, right, bottom, top, near, far] =
+        ["l", "r", "b", "t", "n", "f"].map(|name| values.number(name));
+    let volume = ViewVolume { left, right, bottom, top, near, far };
     volume.validate()?;
-    let corners = corners(&volume);
-    let view = View::new(vec3(5.5, 3.0, 3.5), Vec3::ZERO)?;
-    let at = |p: Vec3| view.at(p);
-    let all: Vec<_> = corners.iter().map(|p| at(*p)).chain([at(1.1 * Vec3::Z), at(1.1 * Vec3::Y)]).collect();
-    let mut sheet = Sheet::around(&all, vec2(760.0, 440.0), 44.0, 0.0);
-    let flat = corners.map(at);
-    sheet.wash(&flat[..4], Ink::A);
-    sheet.polygon(&flat[..4], Ink::A.pen());
-    sheet.polygon(&flat[4..], Ink::B.pen());
-    for k in 0..4 {
-        sheet.line(flat[k], flat[4 + k], Ink::Main.pen());
-        sheet.line(at(Vec3::ZERO), flat[k], Ink::Faint.pen().dashed());
-    }
-    frame(&mut sheet, &view);
-    names(&mut sheet, &view, &volume);
+    // In camera coordinates u, v, w are x, y, z.
+    let view = View::new(vec3(5.0, 3.0, 3.2), Vec3::ZERO)?;
+    let (window, end) = (rectangle(&volume, near), rectangle(&volume, far));
+    let seen: Vec<Vec2> = window.iter().chain(&end).chain(&[Vec3::Y, Vec3::Z]).map(|p| view.at(*p)).collect();
+    let mut sheet = Sheet::around(&seen, vec2(760.0, 460.0), 46.0, 120.0);
+    edges(&mut sheet, &view, &window, &end);
+    axes_and_names(&mut sheet, &view, &volume);
+    let number = |x| decimal(x, 1);
+    sheet.lines(
+        630.0,
+        60.0,
+        [("l", left), ("r", right), ("b", bottom), ("t", top), ("n", near), ("f", far)]
+            .map(|(name, value)| format!("{name} = {}", number(value))),
+    );
+    let (n, f) = (number(near), number(far));
     let alt = Words::new(
         format!(
-            "A pyramid with its top at the eye e, cut by the planes w = {near} and w = {far}; the window reaches from {} to {right} and from {} to {top}.",
-            volume.left, volume.bottom
+            "A pyramid with its top at the eye, cut off by the window in the view plane w = {n} and by the far plane w = {f}."
         ),
         format!(
-            "Een piramide met de top in het oog e, afgesneden door de vlakken w = {near} en w = {far}; het venster loopt van {} tot {right} en van {} tot {top}.",
-            volume.left, volume.bottom
+            "Een piramide met haar top in het oog, afgesneden door het venster in het viewplane w = {n} en door het far-vlak w = {f}."
         ),
     );
     Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
 }
 
-/// In camera space, near first, each anticlockwise from the lower left.
-fn corners(volume: &ViewVolume) -> [Vec3; 8] {
-    let ViewVolume { left, right, bottom, top, near, far } = *volume;
-    let sides = [(left, bottom), (right, bottom), (right, top), (left, top)];
-    std::array::from_fn(|k| {
-        let (x, y) = sides[k % 4];
-        let depth = if k < 4 { near } else { far };
-        depth / near * vec3(x, y, near)
-    })
+/// The corners of what is seen at depth w: the window, as much larger as it is farther away.
+fn rectangle(volume: &ViewVolume, w: f32) -> [Vec3; 4] {
+    let ViewVolume { left, right, bottom, top, near, .. } = *volume;
+    [(left, bottom), (right, bottom), (right, top), (left, top)].map(|(u, v)| w / near * vec3(u, v, near))
 }
 
-fn frame(sheet: &mut Sheet, view: &View) {
-    let e = view.at(Vec3::ZERO);
-    for (axis, name, side) in
-        [(Vec3::X, "u", Side::BelowRight), (Vec3::Y, "v", Side::Above), (Vec3::Z, "w", Side::BelowLeft)]
-    {
-        let tip = view.at(axis);
-        sheet.arrow(e, tip, Ink::C.pen());
-        sheet.label(tip, side, name, Letters::Vector, Ink::C);
+fn edges(sheet: &mut Sheet, view: &View, window: &[Vec3; 4], end: &[Vec3; 4]) {
+    let (window, end) = (window.map(|p| view.at(p)), end.map(|p| view.at(p)));
+    sheet.polygon(&end, Ink::Faint.pen());
+    for (near, far) in window.into_iter().zip(end) {
+        sheet.line(view.at(Vec3::ZERO), near, Ink::A.pen().dashed());
+        sheet.line(near, far, Ink::A.pen());
     }
-    sheet.dot(e, Ink::Main);
-    sheet.label(e, Side::AboveRight, "e", Letters::Vector, Ink::Main);
+    sheet.wash(&window, Ink::B);
+    sheet.polygon(&window, Ink::B.pen().wide());
 }
 
-fn names(sheet: &mut Sheet, view: &View, volume: &ViewVolume) {
+fn axes_and_names(sheet: &mut Sheet, view: &View, volume: &ViewVolume) {
     let ViewVolume { left, right, bottom, top, near, far } = *volume;
-    let (x, y) = (0.5 * (left + right), 0.5 * (bottom + top));
-    let edges = [
-        ("l", vec3(left, y, near), Side::Left),
-        ("r", vec3(right, y, near), Side::Right),
-        ("b", vec3(x, bottom, near), Side::Below),
-        ("t", vec3(x, top, near), Side::Above),
-    ];
-    for (name, p, side) in edges {
-        sheet.label(view.at(p), side, name, Letters::Scalar, Ink::A);
+    let at = |u, v, w| view.at(vec3(u, v, w));
+    let thin = |ink: Ink| -> Pen { ink.pen().dashed().fine() };
+    sheet.line(at(0.0, 0.0, 0.0), at(0.0, 0.0, far), thin(Ink::Main));
+    sheet.line(at(left, 0.0, near), at(right, 0.0, near), thin(Ink::B));
+    sheet.line(at(0.0, bottom, near), at(0.0, top, near), thin(Ink::B));
+    let axis = |name, tip| Vector::new(name, view.at(tip), Ink::Main);
+    let eye = view.at(Vec3::ZERO);
+    sheet.vectors(eye, &[axis("u", Vec3::X), axis("v", Vec3::Y), axis("w", Vec3::Z)]);
+    for p in [eye, at(0.0, 0.0, near), at(0.0, 0.0, far)] {
+        sheet.dot(p, Ink::Main);
     }
-    let far_corner = far / near * vec3(right, bottom, near);
-    sheet.label(view.at(far_corner), Side::Below, "w = f", Letters::Scalar, Ink::B);
-    sheet.label(view.at(vec3(right, bottom, near)), Side::Below, "w = n", Letters::Scalar, Ink::A);
+    let (aside, below) = (vec2(sheet.units(11.0), 0.0), vec2(0.0, -sheet.units(14.0)));
+    sheet.names(&[
+        (eye + below - aside, "e", Ink::Main),
+        (at(left, 0.0, near) - aside, "l", Ink::B),
+        (at(right, 0.0, near) + aside, "r", Ink::B),
+        (at(0.0, bottom, near) + below, "b", Ink::B),
+        (at(0.0, top, near) - below, "t", Ink::B),
+        (at(0.0, 0.0, near) + below + 2.0 * aside, "n", Ink::Main),
+        (at(0.0, 0.0, far) + below, "f", Ink::Main),
+    ]);
 }

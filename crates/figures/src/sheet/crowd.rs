@@ -3,12 +3,13 @@
 use glam::{Vec2, vec2};
 
 use super::{Ink, LETTER, Letters, Pen, Sheet, Side};
+use crate::figure::Text;
 
 /// An arrow with a name.
 #[derive(Clone, Debug)]
 pub(crate) struct Vector {
     pub(crate) tip: Vec2,
-    pub(crate) name: &'static str,
+    pub(crate) name: Text,
     pub(crate) ink: Ink,
     pub(crate) pen: Pen,
 }
@@ -16,7 +17,12 @@ pub(crate) struct Vector {
 impl Vector {
     /// In one colour.
     pub(crate) fn new(name: &'static str, tip: Vec2, ink: Ink) -> Self {
-        Self { tip, name, ink, pen: ink.pen().wide() }
+        Self { tip, name: Text { en: name, nl: name }, ink, pen: ink.pen().wide() }
+    }
+
+    /// With a name in each language.
+    pub(crate) fn called(self, en: &'static str, nl: &'static str) -> Self {
+        Self { name: Text { en, nl }, ..self }
     }
 
     /// Less important: thin and broken.
@@ -37,25 +43,29 @@ impl Sheet {
             .iter()
             .map(|vector| {
                 let away = (vector.tip - from).try_normalize().unwrap_or(Vec2::Y);
-                // Wide names must stand off farther at the side than above.
-                let half_width = 5.0 * vector.name.chars().count() as f32;
-                let gap = 13.0 + (half_width - 5.0) * away.x.abs();
+                // Half the name's width or height, whichever edge of its box the arrow meets, and a little air.
+                let half = vec2(5.0 * letters(vector.name), 7.0) / away.abs().max(Vec2::splat(0.01));
+                let gap = 7.0 + half.min_element();
                 (vector.tip + self.units(gap) * away, vector.name, vector.ink)
             })
             .collect();
         for vector in vectors {
             self.arrow(from, vector.tip, vector.pen);
         }
-        self.names(&names);
+        self.texts(&names);
     }
 
     /// Bold names around their places, pushed apart where they would overlap.
     pub(crate) fn names(&mut self, names: &[(Vec2, &'static str, Ink)]) {
+        let texts: Vec<_> =
+            names.iter().map(|&(p, name, ink)| (p, Text { en: name, nl: name }, ink)).collect();
+        self.texts(&texts);
+    }
+
+    fn texts(&mut self, names: &[(Vec2, Text, Ink)]) {
         let mut places: Vec<Vec2> = names.iter().map(|name| name.0).collect();
-        let half = |k: usize| {
-            let letters = names[k].1.chars().count() as f32;
-            self.units(1.0) * vec2(0.32 * LETTER * letters + 3.0, 0.55 * LETTER)
-        };
+        let half =
+            |k: usize| self.units(1.0) * vec2(0.32 * LETTER * letters(names[k].1) + 3.0, 0.55 * LETTER);
         push_apart(&mut places, &(0..names.len()).map(half).collect::<Vec<_>>());
         for ((_, name, ink), place) in names.iter().zip(places) {
             self.label(place, Side::Middle, *name, Letters::Vector, *ink);
@@ -81,6 +91,11 @@ impl Sheet {
             self.label(place, Side::Middle, name, Letters::Scalar, ink);
         }
     }
+}
+
+/// The letters of the longer of the two names.
+fn letters(name: Text) -> f32 {
+    name.en.chars().count().max(name.nl.chars().count()) as f32
 }
 
 /// Moves boxes, given by centre and half size, until none overlap: each pair along the axis where less is missing.

@@ -207,6 +207,12 @@ impl Sheet {
         self.put(html! { circle cx=(number(p.x)) cy=(number(p.y)) r="5" class={ "f-" (ink.name()) } {} });
     }
 
+    /// One of many points, drawn as a small dot.
+    pub(crate) fn speck(&mut self, p: Vec2, ink: Ink) {
+        let p = self.at(p);
+        self.put(html! { circle cx=(number(p.x)) cy=(number(p.y)) r="2" class={ "f-" (ink.name()) } {} });
+    }
+
     /// An arc around `center` from direction `from` to direction `to`, the short way round: the mark of an angle.
     pub(crate) fn arc(&mut self, center: Vec2, radius: f32, from: Vec2, to: Vec2, pen: Pen) {
         /// Finer than the eye sees.

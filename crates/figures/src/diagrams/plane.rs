@@ -1,0 +1,137 @@
+//! Where does a point of a triangle's plane lie? Its barycentric coordinates say it (L48, L49, Fig 4.10).
+
+use geometry::{Barycentric, Triangle};
+use glam::{Vec2, vec3};
+
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::parameter::{Parameter, Values};
+use crate::sheet::text::decimal;
+use crate::sheet::{Ink, Letters, Sheet, Side};
+
+/// The part of the plane that is drawn: β and γ between these.
+const LEAST: f32 = -0.5;
+const GREATEST: f32 = 1.25;
+
+pub(super) static FIGURE: Figure = Figure {
+    numbers: &["L48", "L49", "E10"],
+    name: "barycentric-plane",
+    title: Text { en: "Ray-triangle intersection: the plane", nl: "Ray-driehoek intersectie: het vlak" },
+    caption: Text {
+        en: "Each point of the plane is p = a + β(b − a) + γ(c − a), or αa + βb + γc with α + β + γ = 1. On lines parallel to a side one of the three stays the same; it is 0 on the side itself. Inside all three are positive.",
+        nl: "Elk punt van het vlak is p = a + β(b − a) + γ(c − a), ofwel αa + βb + γc met α + β + γ = 1. Op lijnen evenwijdig aan een zijde blijft één van de drie gelijk; op de zijde zelf is die 0. Binnen zijn alle drie positief.",
+    },
+    parameters: &[
+        Parameter::number(
+            "beta",
+            Text { en: "β, the weight of b", nl: "β, het gewicht van b" },
+            0.35,
+            LEAST,
+            GREATEST,
+        ),
+        Parameter::number(
+            "gamma",
+            Text { en: "γ, the weight of c", nl: "γ, het gewicht van c" },
+            0.4,
+            LEAST,
+            GREATEST,
+        ),
+    ],
+    size: (640, 480),
+    draw,
+};
+
+fn draw(values: &Values) -> Drawn {
+    let weights = Barycentric::from_beta_gamma(values.number("beta"), values.number("gamma"));
+    let triangle = Triangle::new(vec3(0.0, 0.0, 0.0), vec3(4.0, 0.5, 0.0), vec3(0.8, 3.0, 0.0));
+    let at = |weights: Barycentric| triangle.point(weights).truncate();
+    let corner = |beta, gamma| at(Barycentric::from_beta_gamma(beta, gamma));
+    let seen =
+        [corner(LEAST, LEAST), corner(GREATEST, LEAST), corner(GREATEST, GREATEST), corner(LEAST, GREATEST)];
+    let mut sheet = Sheet::around(&seen, Vec2::new(760.0, 460.0), 34.0, 200.0);
+    sheet.wash(&seen, Ink::Faint);
+    for (k, name) in [(0.0, "0"), (0.5, "½"), (1.0, "1")] {
+        parallels(&mut sheet, &corner, k, name);
+    }
+    let corners = triangle.corners().map(|corner| corner.truncate());
+    sheet.wash(&corners, Ink::D);
+    sheet.polygon(&corners, Ink::Main.pen());
+    let p = at(weights);
+    for corner in corners {
+        sheet.dot(corner, Ink::Main);
+    }
+    sheet.dot(p, Ink::D);
+    let around = |p: Vec2, x: f32, y: f32| p + sheet.units(15.0) * Vec2::new(x, y);
+    let names = [
+        (around(corners[0], -0.9, -0.7), "a", Ink::Main),
+        (around(corners[1], 0.9, -0.6), "b", Ink::Main),
+        (around(corners[2], -0.9, 0.7), "c", Ink::Main),
+        (around(p, 0.9, 0.7), "p", Ink::D),
+    ];
+    sheet.names(&names);
+    words(&mut sheet, weights);
+    let alt = alt(weights);
+    Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
+}
+
+/// The lines α = k, β = k and γ = k, each named at an end.
+fn parallels(sheet: &mut Sheet, corner: &impl Fn(f32, f32) -> Vec2, k: f32, name: &str) {
+    let pen = |ink: Ink| if k == 0.0 { ink.pen() } else { ink.pen().dashed().fine() };
+    // On α = k is β + γ = 1 − k; the line leaves the drawn part where either is at its end.
+    let (first, last) = ((1.0 - k - GREATEST).max(LEAST), (1.0 - k - LEAST).min(GREATEST));
+    let alpha = [corner(first, 1.0 - k - first), corner(last, 1.0 - k - last)];
+    let beta = [corner(k, LEAST), corner(k, GREATEST)];
+    let gamma = [corner(LEAST, k), corner(GREATEST, k)];
+    for ([from, to], ink, letter, side, end) in [
+        (alpha, Ink::A, "α", Side::Right, 1),
+        (beta, Ink::B, "β", Side::Below, 0),
+        (gamma, Ink::C, "γ", Side::Left, 0),
+    ] {
+        sheet.line(from, to, pen(ink));
+        let text = format!("{letter} = {name}");
+        sheet.label_sized([from, to][end], side, text, Letters::Plain, ink, 15.0);
+    }
+}
+
+/// The three weights, and which test of the slide they pass.
+fn words(sheet: &mut Sheet, weights: Barycentric) {
+    let Barycentric { alpha, beta, gamma } = weights;
+    let lines = [("α", alpha), ("β", beta), ("γ", gamma)];
+    sheet.lines(590.0, 50.0, lines.map(|(name, value)| format!("{name} = {}", decimal(value, 2))));
+    let mark = |holds: bool| if holds { "✓" } else { "✗" };
+    sheet.lines(
+        590.0,
+        150.0,
+        [
+            format!("β > 0  {}", mark(beta > 0.0)),
+            format!("γ > 0  {}", mark(gamma > 0.0)),
+            format!("β + γ < 1  {}", mark(beta + gamma < 1.0)),
+        ],
+    );
+    sheet.lines(590.0, 250.0, [place(weights)]);
+}
+
+fn place(weights: Barycentric) -> Words {
+    let least = weights.to_vec3().min_element();
+    if weights.is_inside() {
+        Words::new("p is inside", "p ligt binnen")
+    } else if least >= 0.0 {
+        Words::new("p is on the border", "p ligt op de rand")
+    } else {
+        Words::new("p is outside", "p ligt buiten")
+    }
+}
+
+fn alt(weights: Barycentric) -> Words {
+    let [alpha, beta, gamma] = weights.to_vec3().to_array().map(|value| decimal(value, 2));
+    let place = place(weights);
+    Words::new(
+        format!(
+            "A triangle in its plane and a point with α = {alpha}, β = {beta}, γ = {gamma}: {}.",
+            place.en
+        ),
+        format!(
+            "Een driehoek in zijn vlak en een punt met α = {alpha}, β = {beta}, γ = {gamma}: {}.",
+            place.nl
+        ),
+    )
+}
