@@ -69,7 +69,7 @@ fn axes(sheet: &mut Sheet, view: &View) {
 
 /// The system A·x = b of L50 and its solution, at the right of the drawing.
 fn numbers(sheet: &mut Sheet, ray: &Ray, system: &System, found: &Solution) {
-    const LEFT: f32 = 480.0;
+    const LEFT: f32 = 470.0;
     let columns = system.matrix;
     let column = |v: Vec3| v.to_array().map(|entry| decimal(entry, 2));
     let parts: [(&str, [String; 3]); 5] = [
@@ -80,7 +80,7 @@ fn numbers(sheet: &mut Sheet, ray: &Ray, system: &System, found: &Solution) {
         ("b", column(system.rhs)),
     ];
     for (k, (head, entries)) in parts.into_iter().enumerate() {
-        let left = LEFT + 62.0 * k as f32;
+        let left = LEFT + 68.0 * k as f32;
         sheet.lines(left, 40.0, [head]);
         sheet.lines(left, 72.0, entries);
     }
