@@ -1,4 +1,4 @@
-//! Which way are right, up and back for a camera? (L6, Fig 4.8)
+//! Which way do the camera's own axes point? (L6, Fig 4.8)
 
 use glam::{Vec2, Vec3, vec2, vec3};
 use transforms::Basis;
@@ -11,78 +11,83 @@ use crate::sheet::view::View;
 use crate::sheet::{Ink, Sheet};
 
 pub(super) static FIGURE: Figure = Figure {
-    numbers: &["L6", "L1"],
+    numbers: &["L6"],
     name: "camera-frame",
-    title: Text { en: "The camera frame u, v, w", nl: "Het camera-assenstelsel u, v, w" },
+    title: Text { en: "The camera frame u, v, w", nl: "Het cameraframe u, v, w" },
     caption: Text {
-        en: "w points against the gaze. u = up × w is perpendicular to both, and v = w × u lies in the plane of w and up (coloured), as upright as it can be. All three are unit vectors.",
-        nl: "w wijst tegen de kijkrichting in. u = up × w staat loodrecht op beide, en v = w × u ligt in het vlak van w en up (gekleurd), zo rechtop als kan. Alle drie zijn eenheidsvectoren.",
+        en: "w is opposite the view direction, u stands at a right angle to up and w, and v lies in the plane of up and w (tinted). Up itself need not be at a right angle to the view direction.",
+        nl: "w is tegengesteld aan de kijkrichting, u staat loodrecht op up en w, en v ligt in het vlak van up en w (gekleurd). Up zelf hoeft niet loodrecht op de kijkrichting te staan.",
     },
     parameters: &[
         Parameter::number(
-            "turn",
-            Text { en: "turn of the gaze, degrees", nl: "draaiing van de kijkrichting, graden" },
-            25.0,
-            -80.0,
-            80.0,
+            "azimuth",
+            Text { en: "view direction: turn about up, degrees", nl: "kijkrichting: draaiing om up, graden" },
+            5.0,
+            -180.0,
+            180.0,
         ),
         Parameter::number(
-            "down",
-            Text { en: "gaze below the horizon, degrees", nl: "kijkrichting onder de horizon, graden" },
-            25.0,
-            -80.0,
-            80.0,
+            "elevation",
+            Text {
+                en: "view direction: above the horizon, degrees",
+                nl: "kijkrichting: boven de horizon, graden",
+            },
+            -10.0,
+            -75.0,
+            75.0,
         ),
     ],
     size: (640, 480),
     draw,
 };
 
-/// How long the gaze and up are drawn; both may have any length.
-const LENGTH: f32 = 1.25;
+/// How long the arrow of up is: longer than v, which it may cover.
+const LONG: f32 = 1.4;
 
 fn draw(values: &Values) -> Drawn {
-    let [turn, down] = ["turn", "down"].map(|name| values.number(name).to_radians());
-    let gaze = LENGTH * vec3(turn.sin() * down.cos(), -down.sin(), -turn.cos() * down.cos());
-    let up = LENGTH * Vec3::Y;
-    let Basis { u, v, w } = Basis::from_gaze_and_up(gaze, up)?;
-    let view = View::new(vec3(4.0, 2.0, 3.2), Vec3::ZERO)?;
-    // Everything fits whichever way the camera looks.
-    let seen = [vec2(-1.3, -1.3), vec2(1.3, 1.35)];
-    let mut sheet = Sheet::around(&seen, vec2(760.0, 430.0), 24.0, 250.0);
-    let plane = [w, up / LENGTH, -w, -up / LENGTH].map(|p| view.at(1.05 * p));
-    sheet.wash(&plane, Ink::Faint);
+    let gaze = gaze(values.number("azimuth"), values.number("elevation"));
+    let basis = Basis::from_gaze_and_up(gaze, Vec3::Y)?;
+    let view = View::new(vec3(2.2, 2.6, 4.0), Vec3::ZERO)?;
+    // Whichever way the camera looks, all arrows end in a circle; the longest name needs more room at the left.
+    let seen = [vec2(-1.95, -1.25), vec2(1.3, LONG)];
+    let mut sheet = Sheet::around(&seen, vec2(760.0, 440.0), 24.0, 250.0);
+    plane_of_up_and_w(&mut sheet, &view, &basis);
+    let tip = |p: Vec3| view.at(p);
     sheet.vectors(
         Vec2::ZERO,
         &[
-            Vector::new("gaze", view.at(gaze), Ink::Faint).called("gaze", "kijkrichting").dashed(),
-            Vector::new("up", view.at(up), Ink::Faint).dashed(),
-            Vector::new("u", view.at(u), Ink::A),
-            Vector::new("v", view.at(v), Ink::C),
-            Vector::new("w", view.at(w), Ink::B),
+            Vector::new("", tip(1.15 * gaze), Ink::Main).called("view direction", "kijkrichting"),
+            Vector::new("up", tip(LONG * Vec3::Y), Ink::Main).dashed(),
+            Vector::new("u", tip(basis.u), Ink::A),
+            Vector::new("v", tip(basis.v), Ink::B),
+            Vector::new("w", tip(basis.w), Ink::C),
         ],
     );
     sheet.dot(Vec2::ZERO, Ink::Main);
+    let Basis { u, v, w } = basis;
     sheet.lines(
-        490.0,
-        70.0,
+        505.0,
+        60.0,
         [format!("u = {}", triple(u)), format!("v = {}", triple(v)), format!("w = {}", triple(w))],
     );
+    let (u, v, w) = (triple(u), triple(v), triple(w));
     let alt = Words::new(
-        format!(
-            "A camera looks along {}; its frame is u = {}, v = {}, w = {}.",
-            triple(gaze),
-            triple(u),
-            triple(v),
-            triple(w)
-        ),
-        format!(
-            "Een camera kijkt langs {}; zijn assen zijn u = {}, v = {}, w = {}.",
-            triple(gaze),
-            triple(u),
-            triple(v),
-            triple(w)
-        ),
+        format!("Five arrows from the eye: the view direction, up, and the frame u = {u}, v = {v}, w = {w}."),
+        format!("Vijf pijlen vanuit het oog: de kijkrichting, up, en het frame u = {u}, v = {v}, w = {w}."),
     );
     Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
+}
+
+/// The unit vector along −z, raised by `elevation` and then turned about y by `azimuth`, both in degrees.
+fn gaze(azimuth: f32, elevation: f32) -> Vec3 {
+    let (sin_a, cos_a) = azimuth.to_radians().sin_cos();
+    let (sin_e, cos_e) = elevation.to_radians().sin_cos();
+    vec3(-sin_a * cos_e, sin_e, -cos_a * cos_e)
+}
+
+fn plane_of_up_and_w(sheet: &mut Sheet, view: &View, basis: &Basis) {
+    let corner = |v: f32, w: f32| view.at(v * basis.v + w * basis.w);
+    let corners = [corner(0.0, 0.0), corner(0.0, 1.0), corner(1.0, 1.0), corner(1.0, 0.0)];
+    sheet.wash(&corners, Ink::B);
+    sheet.polygon(&corners, Ink::Faint.pen().fine());
 }

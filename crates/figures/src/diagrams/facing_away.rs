@@ -39,7 +39,9 @@ fn draw(values: &Values) -> Drawn {
     sheet.vectors(Vec2::ZERO, &[Vector::new("n", tip(N), Ink::B), Vector::new("l", tip(l), Ink::A)]);
     let beside = vec2(-sheet.units(9.0), 0.0);
     sheet.line(beside, foot + beside, Ink::D.pen().wide());
-    sheet.label(0.5 * foot + 1.4 * beside, Side::Left, "n·l < 0", Letters::Plain, Ink::D);
+    // However short the line is, its name stands below the surface.
+    let name = vec2(1.4 * beside.x, (0.5 * product).min(-0.12));
+    sheet.label(name, Side::Left, "n·l < 0", Letters::Plain, Ink::D);
     sheet.angle(Vec2::ZERO, 0.3, [tip(N), tip(l)], "θ", Ink::Main);
     sheet.dot(Vec2::ZERO, Ink::Main);
     let (product, share) = (decimal(product, 3), decimal(lambert(N, l), 3));

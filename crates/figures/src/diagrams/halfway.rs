@@ -1,14 +1,14 @@
 //! What is cheaper to compare than e and r? The normal and the vector halfway between eye and light (L33, E4).
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 use lighting::{blinn_highlight, halfway, phong_highlight, reflect};
 
 use super::slice::{N, WORDS, direction, sheet, tip};
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::Ink;
 use crate::sheet::crowd::Vector;
 use crate::sheet::text::{decimal, degrees};
+use crate::sheet::{Ink, Sheet};
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["L33", "L34", "E4"],
@@ -58,27 +58,14 @@ fn draw(values: &Values) -> Drawn {
             Vector::new("l", tip(l), Ink::A),
             Vector::new("e", tip(e), Ink::C),
             Vector::new("h", tip(h), Ink::D),
-            Vector::new("r", tip(r), Ink::Faint).dashed(),
+            Vector::new("r", tip(r), Ink::Main).dashed(),
         ],
     );
     sheet.dot(tip(0.5 * (e + l)), Ink::Faint);
     sheet.angle(Vec2::ZERO, 0.5, [tip(h), tip(N)], "ω", Ink::D);
     sheet.angle(Vec2::ZERO, 0.72, [tip(e), tip(r)], "σ", Ink::Main);
     sheet.dot(Vec2::ZERO, Ink::Main);
-    let four = 4.0 * p;
-    sheet.lines(
-        WORDS,
-        50.0,
-        [
-            format!("ω = {},  σ = {}", degrees(omega), degrees(sigma)),
-            format!("h·n = cos ω = {}", decimal(h.dot(N), 3)),
-            format!("e·r = cos σ = {}", decimal(e.dot(r), 3)),
-            format!("p = {p}"),
-            format!("(e·r)^p = {}", decimal(phong_highlight(N, l, e, p), 3)),
-            format!("(h·n)^p = {}", decimal(blinn_highlight(N, l, e, p), 3)),
-            format!("(h·n)^4p = {}", decimal(blinn_highlight(N, l, e, four), 3)),
-        ],
-    );
+    words(&mut sheet, [l, e, h], p);
     let (omega, sigma) = (omega.to_degrees(), sigma.to_degrees());
     let alt = Words::new(
         format!(
@@ -89,4 +76,23 @@ fn draw(values: &Values) -> Drawn {
         ),
     );
     Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
+}
+
+/// The two angles, and what the two forms of the highlight make of them.
+fn words(sheet: &mut Sheet, [l, e, h]: [Vec3; 3], p: f32) {
+    let r = reflect(N, l);
+    sheet.lines(
+        WORDS,
+        50.0,
+        [
+            format!("ω = {}", degrees(h.angle_between(N))),
+            format!("σ = {}", degrees(e.angle_between(r))),
+            format!("h·n = cos ω = {}", decimal(h.dot(N), 3)),
+            format!("e·r = cos σ = {}", decimal(e.dot(r), 3)),
+            format!("p = {p}"),
+            format!("(e·r)^p = {}", decimal(phong_highlight(N, l, e, p), 3)),
+            format!("(h·n)^p = {}", decimal(blinn_highlight(N, l, e, p), 3)),
+            format!("(h·n)^4p = {}", decimal(blinn_highlight(N, l, e, 4.0 * p), 3)),
+        ],
+    );
 }

@@ -4,12 +4,12 @@ mod camera_frame;
 mod facing_away;
 mod halfway;
 mod lambert;
+mod octagon;
 mod phong_highlight;
 mod pixel_grid;
 mod plane;
 mod shadow_rays;
 mod slice;
-mod vertex_normals;
 mod viewing_ray;
 mod viewing_volume;
 mod worked_example;
@@ -25,7 +25,7 @@ pub(crate) static ALL: &[&Figure] = &[
     &facing_away::FIGURE,
     &phong_highlight::FIGURE,
     &halfway::FIGURE,
-    &vertex_normals::FIGURE,
+    &octagon::FIGURE,
     &viewing_ray::FIGURE,
     &plane::FIGURE,
     &worked_example::FIGURE,

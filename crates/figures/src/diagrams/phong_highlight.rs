@@ -1,6 +1,6 @@
 //! When does the eye see a highlight? When it stands near the mirror direction of the light (L31).
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 use lighting::{phong_highlight, reflect};
 
 use super::slice::{N, WORDS, direction, sheet, tip};
@@ -64,19 +64,8 @@ fn draw(values: &Values) -> Drawn {
     sheet.angle(Vec2::ZERO, 0.66, [tip(e), tip(r)], "σ", Ink::D);
     sheet.dot(tip(highlight * e), Ink::D);
     sheet.dot(Vec2::ZERO, Ink::Main);
-    let (product, value) = (decimal(e.dot(r), 3), decimal(highlight, 3));
-    sheet.lines(
-        WORDS,
-        60.0,
-        [
-            format!("θ = {}", degrees(light.to_radians())),
-            format!("σ = {}", degrees(sigma)),
-            format!("e·r = cos σ = {product}"),
-            format!("p = {p}"),
-            format!("max(0, e·r)^p = {value}"),
-        ],
-    );
-    let sigma = sigma.to_degrees();
+    words(&mut sheet, [l, e], p);
+    let (sigma, value) = (sigma.to_degrees(), decimal(highlight, 3));
     let alt = Words::new(
         format!(
             "The eye is {sigma:.1}° away from the mirror direction of the light; with exponent {p} the highlight has brightness {value}."
@@ -86,6 +75,23 @@ fn draw(values: &Values) -> Drawn {
         ),
     );
     Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
+}
+
+/// The angles, and what the highlight makes of them.
+fn words(sheet: &mut Sheet, [l, e]: [Vec3; 2], p: f32) {
+    let r = reflect(N, l);
+    let (product, value) = (decimal(e.dot(r), 3), decimal(phong_highlight(N, l, e, p), 3));
+    sheet.lines(
+        WORDS,
+        60.0,
+        [
+            format!("θ = {}", degrees(l.angle_between(N))),
+            format!("σ = {}", degrees(e.angle_between(r))),
+            format!("e·r = cos σ = {product}"),
+            format!("p = {p}"),
+            format!("max(0, e·r)^p = {value}"),
+        ],
+    );
 }
 
 /// The brightness in each direction, as a length in that direction.

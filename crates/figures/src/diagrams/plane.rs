@@ -47,7 +47,7 @@ fn draw(values: &Values) -> Drawn {
     let corner = |beta, gamma| at(Barycentric::from_beta_gamma(beta, gamma));
     let seen =
         [corner(LEAST, LEAST), corner(GREATEST, LEAST), corner(GREATEST, GREATEST), corner(LEAST, GREATEST)];
-    let mut sheet = Sheet::around(&seen, Vec2::new(760.0, 460.0), 34.0, 200.0);
+    let mut sheet = Sheet::around(&seen, Vec2::new(760.0, 460.0), 26.0, 250.0);
     sheet.wash(&seen, Ink::Faint);
     for (k, name) in [(0.0, "0"), (0.5, "½"), (1.0, "1")] {
         parallels(&mut sheet, &corner, k, name);
@@ -80,11 +80,13 @@ fn parallels(sheet: &mut Sheet, corner: &impl Fn(f32, f32) -> Vec2, k: f32, name
     let (first, last) = ((1.0 - k - GREATEST).max(LEAST), (1.0 - k - LEAST).min(GREATEST));
     let alpha = [corner(first, 1.0 - k - first), corner(last, 1.0 - k - last)];
     let beta = [corner(k, LEAST), corner(k, GREATEST)];
+    // α = 0 leaves the drawn part at its top, the others at its left.
+    let alpha_side = if first > LEAST { Side::Above } else { Side::Left };
     let gamma = [corner(LEAST, k), corner(GREATEST, k)];
     for ([from, to], ink, letter, side, end) in [
-        (alpha, Ink::A, "α", Side::Right, 1),
+        (alpha, Ink::A, "α", alpha_side, 0),
         (beta, Ink::B, "β", Side::Below, 0),
-        (gamma, Ink::C, "γ", Side::Left, 0),
+        (gamma, Ink::C, "γ", Side::Right, 1),
     ] {
         sheet.line(from, to, pen(ink));
         let text = format!("{letter} = {name}");
@@ -96,10 +98,10 @@ fn parallels(sheet: &mut Sheet, corner: &impl Fn(f32, f32) -> Vec2, k: f32, name
 fn words(sheet: &mut Sheet, weights: Barycentric) {
     let Barycentric { alpha, beta, gamma } = weights;
     let lines = [("α", alpha), ("β", beta), ("γ", gamma)];
-    sheet.lines(590.0, 50.0, lines.map(|(name, value)| format!("{name} = {}", decimal(value, 2))));
+    sheet.lines(596.0, 50.0, lines.map(|(name, value)| format!("{name} = {}", decimal(value, 2))));
     let mark = |holds: bool| if holds { "✓" } else { "✗" };
     sheet.lines(
-        590.0,
+        596.0,
         150.0,
         [
             format!("β > 0  {}", mark(beta > 0.0)),
@@ -107,7 +109,7 @@ fn words(sheet: &mut Sheet, weights: Barycentric) {
             format!("β + γ < 1  {}", mark(beta + gamma < 1.0)),
         ],
     );
-    sheet.lines(590.0, 250.0, [place(weights)]);
+    sheet.lines(596.0, 250.0, [place(weights)]);
 }
 
 fn place(weights: Barycentric) -> Words {

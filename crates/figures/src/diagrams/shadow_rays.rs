@@ -9,7 +9,6 @@ use raytrace::{Object, Ray, Shape, Surface, World, nearest};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::text::degrees;
 use crate::sheet::{Ink, Letters, Sheet, Side};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -35,15 +34,15 @@ pub(super) static FIGURE: Figure = Figure {
             "p",
             Text { en: "place of p on the ground", nl: "plaats van p op de grond" },
             1.2,
-            -3.0,
-            3.0,
+            -2.6,
+            2.6,
         ),
         Parameter::number(
             "q",
             Text { en: "place of q on the ground", nl: "plaats van q op de grond" },
             -0.9,
-            -3.0,
-            3.0,
+            -2.6,
+            2.6,
         ),
     ],
     size: (640, 480),
@@ -63,7 +62,7 @@ fn draw(values: &Values) -> Drawn {
     let to_light = vec3(sin, cos, 0.0);
     let world = world(to_light)?;
     let light = world.lights[0].illumination(Vec3::ZERO).ok_or("a light without a direction")?;
-    let seen = [vec2(LEFT, -0.55), vec2(RIGHT, TOP)];
+    let seen = [vec2(LEFT, -0.75), vec2(RIGHT, TOP)];
     let mut sheet = Sheet::around(&seen, vec2(760.0, 440.0), 20.0, 0.0);
     ground(&mut sheet, &world, &light);
     sheet.wash(&circle(), Ink::B);
@@ -72,13 +71,16 @@ fn draw(values: &Values) -> Drawn {
     let lit = [p, q].map(|x| ray_to_light(&mut sheet, &world, &light, x));
     let below = vec2(0.0, -sheet.units(26.0));
     let names = [(p, "p", lit[0]), (q, "q", lit[1])];
-    sheet.names(&names.map(|(x, name, lit)| (vec2(x, 0.0) + below, name, ink(lit))));
+    // The direction is the same everywhere; its name stands at both rays, on the side away from the vertical.
+    let beside = 0.7 * to_light.truncate() + sheet.units(15.0) * to_light.truncate().perp();
+    let letters = names.map(|(x, _, lit)| (vec2(x, 0.0) + beside, "l", ink(lit)));
+    let points = names.map(|(x, name, lit)| (vec2(x, 0.0) + below, name, ink(lit)));
+    sheet.names(&[letters, points].concat());
     let words = names.map(|(_, name, lit)| verdict(name, lit));
-    sheet.lines(
-        20.0,
-        28.0,
-        [Words::from(format!("l: {}", degrees(angle.to_radians()))), words[0].clone(), words[1].clone()],
-    );
+    for ((left, words), (_, _, lit)) in [30.0, 260.0].into_iter().zip(&words).zip(names) {
+        let place = sheet.place(left, 415.0);
+        sheet.label(place, Side::Right, words.clone(), Letters::Plain, ink(lit));
+    }
     let alt = Words::new(
         format!(
             "A ball above the ground, light from {angle:.1}° off the vertical: {}; {}.",
@@ -141,7 +143,6 @@ fn ray_to_light(sheet: &mut Sheet, world: &World, light: &Illumination, x: f32) 
         sheet.line(stop, leaves, Ink::Faint.pen().dashed().fine());
     } else {
         sheet.arrow(ray.origin.truncate(), leaves, ink.pen());
-        sheet.label(leaves, Side::Below, "", Letters::Vector, ink);
     }
     is_lit
 }

@@ -46,24 +46,8 @@ fn draw(values: &Values) -> Drawn {
     let mut sheet = Sheet::around(&seen, vec2(760.0, 460.0), 20.0, 170.0);
     image_plane(&mut sheet, &view, &pipeline, vec2(i, j));
     line(&mut sheet, &view, &ray, t);
-    let p = ray.at(t);
-    sheet.lines(
-        500.0,
-        50.0,
-        [
-            format!("e = {}", triple(ray.origin)),
-            format!("s = {}", triple(ray.at(1.0))),
-            format!("t = {}", decimal(t, 2)),
-            format!("p = {}", triple(p)),
-        ],
-    );
-    let place = match t {
-        t if t < 0.0 => Words::new("t < 0: behind the eye", "t < 0: achter het oog"),
-        t if t < 1.0 => Words::new("between e and s", "tussen e en s"),
-        _ => Words::new("t ≥ 1: s or beyond", "t ≥ 1: s of voorbij"),
-    };
-    sheet.lines(500.0, 158.0, [place.clone()]);
-    let (t, p) = (decimal(t, 2), triple(p));
+    let place = words(&mut sheet, &ray, t);
+    let (t, p) = (decimal(t, 2), triple(ray.at(t)));
     let alt = Words::new(
         format!(
             "A line from the eye through pixel ({i}, {j}) of the image plane; its point at t = {t} is {p}: {}.",
@@ -75,6 +59,27 @@ fn draw(values: &Values) -> Drawn {
         ),
     );
     Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
+}
+
+/// The numbers of the line, and on which part of it t lies.
+fn words(sheet: &mut Sheet, ray: &Ray, t: f32) -> Words {
+    sheet.lines(
+        500.0,
+        50.0,
+        [
+            format!("e = {}", triple(ray.origin)),
+            format!("s = {}", triple(ray.at(1.0))),
+            format!("t = {}", decimal(t, 2)),
+            format!("p = {}", triple(ray.at(t))),
+        ],
+    );
+    let place = match t {
+        t if t < 0.0 => Words::new("t < 0: behind the eye", "t < 0: achter het oog"),
+        t if t < 1.0 => Words::new("between e and s", "tussen e en s"),
+        _ => Words::new("t ≥ 1: s or beyond", "t ≥ 1: s of voorbij"),
+    };
+    sheet.lines(500.0, 158.0, [place.clone()]);
+    place
 }
 
 /// The rays through the corners of the screen.

@@ -1,7 +1,7 @@
 //! Does the ray of exercise 4.2 meet the triangle, and where? (L54)
 
 use geometry::{Ray, Triangle};
-use glam::{Vec3, vec2, vec3};
+use glam::{Vec2, Vec3, vec2, vec3};
 use raytrace::triangle::{Solution, System, cramer, system};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
@@ -15,8 +15,8 @@ pub(super) static FIGURE: Figure = Figure {
     name: "worked-example",
     title: Text { en: "Worked example: exercise 2 of chapter 4", nl: "Voorbeeld: opgave 2 hoofdstuk 4" },
     caption: Text {
-        en: "The ray from e along d meets the plane through a, b and c at p. All three weights are positive, so p lies in the triangle, and t is positive, so it lies before the eye.",
-        nl: "De straal vanuit e in richting d snijdt het vlak door a, b en c in p. De drie gewichten zijn positief, dus p ligt in de driehoek; t is positief, dus p ligt voor het oog.",
+        en: "The ray from e along d meets the plane through a, b and c at p. With the slide's e all three weights are positive, so p lies in the triangle, and t is positive, so it lies before the eye. The system at the right is the slide's with every row times −1.",
+        nl: "De straal vanuit e in richting d snijdt het vlak door a, b en c in p. Met de e van de slide zijn de drie gewichten positief, dus p ligt in de driehoek; t is positief, dus p ligt voor het oog. Het stelsel rechts is dat van de slide, met elke rij maal −1.",
     },
     parameters: &[
         Parameter::number("x", Text { en: "x of the eye e", nl: "x van het oog e" }, 1.0, 0.2, 2.0),
@@ -32,30 +32,39 @@ fn draw(values: &Values) -> Drawn {
     let triangle = Triangle::new(Vec3::X, Vec3::Y, Vec3::Z);
     let system = system(&ray, &triangle);
     let found = cramer(&system).ok_or("the ray is parallel to the plane")?;
-    let alt = alt(&found);
     let view = View::new(vec3(5.0, 2.6, 3.2), Vec3::ZERO)?;
-    let seen = [view.at(1.5 * Vec3::X), view.at(1.5 * Vec3::Y), view.at(1.5 * Vec3::Z), view.at(ray.origin)];
-    let mut sheet = Sheet::around(&seen, vec2(820.0, 470.0), 24.0, 330.0);
+    let ends = [ray.origin, ray.at(LAST_T), 1.4 * Vec3::X, 1.4 * Vec3::Y, 1.4 * Vec3::Z];
+    let seen: Vec<Vec2> = ends.iter().map(|p| view.at(*p)).collect();
+    let mut sheet = Sheet::around(&seen, vec2(760.0, 460.0), 34.0, 300.0);
     axes(&mut sheet, &view);
     let corners = triangle.corners().map(|corner| view.at(corner));
     sheet.wash(&corners, Ink::B);
     sheet.polygon(&corners, Ink::B.pen());
-    for ((name, side), corner) in
-        [("a", Side::BelowLeft), ("b", Side::AboveLeft), ("c", Side::BelowLeft)].into_iter().zip(corners)
-    {
-        sheet.dot(corner, Ink::B);
-        sheet.label(corner, side, name, Letters::Vector, Ink::B);
-    }
-    let (e, p, end) = (view.at(ray.origin), view.at(ray.at(found.t)), view.at(ray.at(1.25)));
+    let (e, p) = (view.at(ray.origin), view.at(ray.at(found.t)));
     sheet.line(e, p, Ink::A.pen());
-    sheet.arrow(p, end, Ink::A.pen().dashed());
+    sheet.arrow(p, view.at(ray.at(LAST_T)), Ink::A.pen().dashed());
+    for corner in corners {
+        sheet.dot(corner, Ink::B);
+    }
     sheet.dot(e, Ink::A);
-    sheet.label(e, Side::AboveRight, "e", Letters::Vector, Ink::A);
     sheet.dot(p, Ink::A);
-    sheet.label(p, Side::AboveRight, "p", Letters::Vector, Ink::A);
+    let around = |p: Vec2, x: f32, y: f32| p + sheet.units(15.0) * vec2(x, y);
+    let [a, b, c] = corners;
+    let names = [
+        (around(a, -0.8, -0.9), "a", Ink::B),
+        (around(b, -1.0, 0.6), "b", Ink::B),
+        (around(c, -0.3, 1.1), "c", Ink::B),
+        (around(e, 0.9, 0.7), "e", Ink::A),
+        (around(p, 0.9, -0.8), "p", Ink::A),
+    ];
+    sheet.names(&names);
     numbers(&mut sheet, &ray, &system, &found);
+    let alt = alt(&found);
     Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
 }
+
+/// The ray is drawn from the eye to here.
+const LAST_T: f32 = 1.25;
 
 fn axes(sheet: &mut Sheet, view: &View) {
     for (axis, name, side) in
@@ -67,46 +76,42 @@ fn axes(sheet: &mut Sheet, view: &View) {
     }
 }
 
-/// The system A·x = b of L50 and its solution, at the right of the drawing.
+/// The three equations and their solution, at the right of the drawing.
 fn numbers(sheet: &mut Sheet, ray: &Ray, system: &System, found: &Solution) {
-    const LEFT: f32 = 470.0;
-    let columns = system.matrix;
-    let column = |v: Vec3| v.to_array().map(|entry| decimal(entry, 2));
-    let parts: [(&str, [String; 3]); 5] = [
-        ("", column(columns.x_axis)),
-        ("A", column(columns.y_axis)),
-        ("", column(columns.z_axis)),
-        ("x", ["β", "γ", "t"].map(str::to_owned)),
-        ("b", column(system.rhs)),
-    ];
-    for (k, (head, entries)) in parts.into_iter().enumerate() {
-        let left = LEFT + 68.0 * k as f32;
-        sheet.lines(left, 40.0, [head]);
-        sheet.lines(left, 72.0, entries);
-    }
+    /// Where the words begin, in pixels from the left.
+    const LEFT: f32 = 452.0;
+    let entries = |column: Vec3| column.to_array().map(|x| decimal(x, if x.fract() == 0.0 { 0 } else { 2 }));
+    let columns = [system.matrix.x_axis, system.matrix.y_axis, system.matrix.z_axis].map(entries);
+    let end = sheet.matrix(LEFT, 40.0, 34.0, &columns);
+    let unknowns = [["β", "γ", "t"].map(str::to_owned)];
+    let end = sheet.matrix(end + 8.0, 40.0, 18.0, &unknowns);
+    let equals = sheet.place(end + 13.0, 40.0 + 39.0);
+    sheet.label(equals, Side::Middle, "=", Letters::Plain, Ink::Main);
+    sheet.matrix(end + 26.0, 40.0, 48.0, &[entries(system.rhs)]);
     let weights = found.weights();
-    sheet.lines(
-        LEFT,
-        190.0,
-        [
-            format!("α = {}", decimal(weights.alpha, 3)),
-            format!("β = {}", decimal(found.beta, 3)),
-            format!("γ = {}", decimal(found.gamma, 3)),
-            format!("t = {}", decimal(found.t, 3)),
-            format!("p = {}", triple(ray.at(found.t))),
-        ],
-    );
+    let solved = [("α", weights.alpha), ("β", found.beta), ("γ", found.gamma), ("t", found.t)];
+    let lines = solved.map(|(name, value)| format!("{name} = {}", decimal(value, 3)));
+    sheet.lines(LEFT - 10.0, 160.0, lines);
+    sheet.lines(LEFT - 10.0, 272.0, [format!("p = {}", triple(ray.at(found.t)))]);
+    let verdict = if found.t <= 0.0 {
+        Words::new("p is behind the eye", "p ligt achter het oog")
+    } else if weights.is_inside() {
+        Words::new("p is inside the triangle", "p ligt in de driehoek")
+    } else {
+        Words::new("p is not inside the triangle", "p ligt niet in de driehoek")
+    };
+    sheet.lines(LEFT - 10.0, 299.0, [verdict]);
 }
 
 fn alt(found: &Solution) -> Words {
-    let Solution { beta, gamma, t } = *found;
-    let alpha = found.weights().alpha;
+    let [alpha, beta, gamma] = found.weights().to_vec3().to_array().map(|weight| decimal(weight, 3));
+    let t = decimal(found.t, 3);
     Words::new(
         format!(
-            "A ray crosses a triangle with corners on the three axes at α = {alpha:.3}, β = {beta:.3}, γ = {gamma:.3}, t = {t:.3}."
+            "A ray crosses the plane of a triangle with corners on the three axes at α = {alpha}, β = {beta}, γ = {gamma}, t = {t}."
         ),
         format!(
-            "Een straal snijdt een driehoek met hoekpunten op de drie assen bij α = {alpha:.3}, β = {beta:.3}, γ = {gamma:.3}, t = {t:.3}."
+            "Een straal snijdt het vlak van een driehoek met hoekpunten op de drie assen bij α = {alpha}, β = {beta}, γ = {gamma}, t = {t}."
         ),
     )
 }

@@ -7,15 +7,15 @@ use zbuffer::depth_format::step_at;
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
 use crate::sheet::Ink;
-use crate::sheet::plot::{Axis, Plot, Series};
+use crate::sheet::plot::{Axis, Kind, Plot, Series};
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["L20", "E9"],
     name: "depth-step",
     title: Text { en: "Depth step against distance", nl: "Dieptestap tegen afstand" },
     caption: Text {
-        en: "Canonical z is not proportional to distance, so the smallest distance that a depth buffer tells apart grows with the square of the distance. Each 8 bits more divide it by 256.",
-        nl: "Canonieke z is niet evenredig met de afstand; daarom groeit de kleinste afstand die een z-buffer onderscheidt met het kwadraat van de afstand. Elke 8 bits meer delen die door 256.",
+        en: "Canonical z is not proportional to distance, so the smallest distance that a depth buffer tells apart grows with the square of the distance. 24 bits divide it by 256. An f32 is finest around 0, and canonical z passes 0 at the distance 2nf/(n+f), about twice the near distance: the line of 32 bits dips there, and each tooth is a halving of the steps. Farther away it gains only a factor of 2 over 24 bits.",
+        nl: "Canonieke z is niet evenredig met de afstand; daarom groeit de kleinste afstand die een z-buffer onderscheidt met het kwadraat van de afstand. 24 bits delen die door 256. Een f32 is het fijnst rond 0, en canonieke z gaat door 0 op de afstand 2nf/(n+f), ongeveer tweemaal de near-afstand: de lijn van 32 bits duikt daar omlaag, en elke tand is een halvering van de stappen. Verder weg wint die maar een factor 2 op 24 bits.",
     },
     parameters: &[
         Parameter::number(
@@ -38,15 +38,15 @@ pub(super) static FIGURE: Figure = Figure {
 };
 
 fn draw(values: &Values) -> Drawn {
-    /// Points on each line.
-    const POINTS: u16 = 60;
+    /// Points on each line: enough to see each tooth of the line of 32 bits.
+    const POINTS: u16 = 600;
     let (near, far) = (values.number("near"), values.number("far"));
     let volume = ViewVolume::from_fov_y(1.0, 1.5, -near, -far)?;
     let series = |name: &str, ink, format| {
         // From just behind the near plane to just before the far plane, in equal factors.
         let distance = |k: u16| near * (far / near).powf((f32::from(k) + 0.5) / f32::from(POINTS));
         let point = |k| (f64::from(distance(k)), f64::from(step_at(format, &volume, distance(k))));
-        Series { name: name.into(), ink, points: (0..POINTS).map(point).collect(), is_theory: false }
+        Series { name: name.into(), ink, points: (0..POINTS).map(point).collect(), kind: Kind::Measured }
     };
     let plot = Plot {
         x: Axis::logarithmic(Words::new("distance before the eye", "afstand voor het oog")),
@@ -60,13 +60,15 @@ fn draw(values: &Values) -> Drawn {
             series("32 bits (f32)", Ink::C, DepthFormat::F32),
         ],
     };
-    let at_far = step_at(DepthFormat::Bits16, &volume, 0.99 * far);
+    let at_far = |format| step_at(format, &volume, 0.99 * far);
+    let steps = [DepthFormat::Bits16, DepthFormat::Bits24, DepthFormat::F32].map(at_far);
+    let [coarse, times_24, times_32] = [steps[0], steps[0] / steps[1], steps[0] / steps[2]];
     let alt = Words::new(
         format!(
-            "Three rising lines: with 16 bits the step is {at_far:.3} at the far plane, with 24 and 32 bits it is hundreds of times smaller."
+            "Three rising lines: with 16 bits the step is {coarse:.3} at the far plane, with 24 bits it is {times_24:.0} times smaller, with 32 bits {times_32:.0} times."
         ),
         format!(
-            "Drie stijgende lijnen: met 16 bits is de stap {at_far:.3} bij het far-vlak, met 24 en 32 bits honderden keren kleiner."
+            "Drie stijgende lijnen: met 16 bits is de stap {coarse:.3} bij het far-vlak, met 24 bits {times_24:.0} keer kleiner, met 32 bits {times_32:.0} keer."
         ),
     );
     Ok(vec![Drawing::diagram("", alt.clone(), plot.svg(&alt))])

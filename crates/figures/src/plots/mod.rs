@@ -1,9 +1,10 @@
 //! Which figures are measurements? Those about how one number grows with another.
 
 mod crossover;
+mod depth_on_screen;
 mod depth_step;
-mod faceted_normals;
 mod highlight_width;
+mod normal_error;
 mod overdraw;
 
 use crate::figure::Figure;
@@ -12,7 +13,8 @@ use crate::figure::Figure;
 pub(crate) static ALL: &[&Figure] = &[
     &depth_step::FIGURE,
     &crossover::FIGURE,
-    &faceted_normals::FIGURE,
+    &normal_error::FIGURE,
     &highlight_width::FIGURE,
+    &depth_on_screen::FIGURE,
     &overdraw::FIGURE,
 ];

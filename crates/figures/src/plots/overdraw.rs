@@ -1,147 +1,121 @@
-//! How often is a pixel shaded if shading stands inside the z-buffer's loop? (E16, L16, L19)
+//! How often is a pixel coloured before it has its final colour? (E16, L19)
 
 use canvas::{Image, Rgb};
 use geometry::Barycentric;
-use glam::{Vec3, vec3};
-use zbuffer::draw::z_buffer;
+use glam::{Vec2, vec2};
+use zbuffer::draw::{Work, z_buffer};
 use zbuffer::{DepthBuffer, DepthFormat, ScreenTriangle, ScreenVertex};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
 use crate::sheet::Ink;
-use crate::sheet::plot::{Axis, Plot, Series};
+use crate::sheet::plot::{Axis, Kind, Plot, Series};
+use crate::sheet::text::decimal;
 
 pub(super) static FIGURE: Figure = Figure {
-    numbers: &["E16", "L16", "L21"],
+    numbers: &["E16", "L19"],
     name: "overdraw",
-    title: Text { en: "Overdraw against number of layers", nl: "Overdraw tegen aantal lagen" },
+    title: Text { en: "Shading inside the z-buffer loop", nl: "Shading binnen de z-bufferlus" },
     caption: Text {
-        en: "How many colours the slide's loop computes for a pixel that n layers cover. From front to back one; from back to front n; in random order Hₙ = 1 + 1/2 + … + 1/n on average (dashed), since layer k is shaded only if it is the nearest of the first k.",
-        nl: "Hoeveel kleuren de lus van de slide berekent voor een pixel met n lagen. Van voor naar achter één; van achter naar voor n; in willekeurige volgorde gemiddeld Hₙ = 1 + 1/2 + … + 1/n (gestreept), want laag k wordt alleen berekend als hij de dichtstbijzijnde van de eerste k is.",
+        en: "Layers over the whole screen, drawn in random order by the slide's loop. The k-th is the nearest so far with probability 1/k, so each pixel is coloured H_n = 1 + 1/2 + … + 1/n times on average: more than once, but far fewer than n times.",
+        nl: "Lagen over het hele scherm, in willekeurige volgorde getekend door de lus van de slide. De k-de is met kans 1/k de dichtstbijzijnde tot dan toe; elke pixel wordt dus gemiddeld H_n = 1 + 1/2 + … + 1/n keer gekleurd: vaker dan eens, maar veel minder dan n keer.",
     },
-    parameters: &[Parameter::count(
-        "layers",
-        Text { en: "most layers", nl: "meeste lagen" },
-        24.0,
-        2.0,
-        64.0,
-    )],
+    parameters: &[
+        Parameter::count(
+            "orders",
+            Text { en: "random orders for each point", nl: "willekeurige volgordes per punt" },
+            300.0,
+            1.0,
+            1000.0,
+        ),
+        Parameter::count(
+            "seed",
+            Text { en: "seed of the random numbers", nl: "zaad van de toevalsgetallen" },
+            1.0,
+            0.0,
+            1000.0,
+        ),
+    ],
     size: (640, 480),
     draw,
 };
 
-/// The screen is small: every pixel of it tells the same.
-const SIDE: u32 = 4;
-
-/// Random orders for each number of layers: the mean is then known to about a tenth.
-const ORDERS: u32 = 400;
+/// All pixels see the same layers, so few are enough.
+const SIDE: u32 = 2;
+const MOST_LAYERS: u32 = 64;
 
 fn draw(values: &Values) -> Drawn {
-    let most = values.count("layers");
-    let counts: Vec<u32> = (1..=most).collect();
-    let series = |name: Words, ink, is_theory, mean: &mut dyn FnMut(u32) -> f64| {
-        let points = counts.iter().map(|n| (f64::from(*n), mean(*n))).collect();
-        Series { name, ink, points, is_theory }
-    };
-    let mut random = Random(1);
+    let orders = values.count("orders");
+    let mut random = Random(u64::from(values.count("seed")));
+    let counts = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, MOST_LAYERS];
+    let measured: Vec<(f64, f64)> =
+        counts.iter().map(|n| (f64::from(*n), mean_colored(*n, orders, &mut random))).collect();
+    let harmonic = |n: u32| (1..=n).map(|k| 1.0 / f64::from(k)).sum::<f64>();
+    let theory = (1..=MOST_LAYERS).map(|n| (f64::from(n), harmonic(n))).collect();
+    let last = measured[measured.len() - 1].1;
     let plot = Plot {
         x: Axis::linear(Words::new("layers n", "lagen n")),
-        y: Axis::linear(Words::new("colours computed per pixel", "berekende kleuren per pixel")),
+        y: Axis::linear(Words::new("colours computed for each pixel", "berekende kleuren per pixel")),
         series: vec![
-            series(Words::new("front to back", "voor naar achter"), Ink::C, false, &mut |n| {
-                shaded(&from_front(n))
-            }),
-            series(Words::new("random", "willekeurig"), Ink::A, false, &mut |n| {
-                mean_of_random_orders(n, &mut random)
-            }),
-            series("Hₙ".into(), Ink::Main, true, &mut |n| (1..=n).map(|k| 1.0 / f64::from(k)).sum()),
-            series(Words::new("back to front", "achter naar voor"), Ink::B, false, &mut |n| {
-                shaded(&from_front(n).into_iter().rev().collect::<Vec<_>>())
-            }),
+            Series {
+                name: Words::new("measured", "gemeten"),
+                ink: Ink::A,
+                points: measured,
+                kind: Kind::Measured,
+            },
+            Series { name: "H_n".into(), ink: Ink::Main, points: theory, kind: Kind::Theory },
         ],
     };
-    let last = |k: usize| plot.series[k].points.last().map_or(0.0, |point| point.1);
+    let (last, theory) = (decimal(last, 2), decimal(harmonic(MOST_LAYERS), 2));
     let alt = Words::new(
         format!(
-            "With {most} layers a pixel is shaded {:.0} time from front to back, {:.2} times in random order (theory {:.2}), {:.0} times from back to front.",
-            last(0),
-            last(1),
-            last(2),
-            last(3)
+            "With {MOST_LAYERS} layers each pixel is coloured {last} times on average; theory says {theory}."
         ),
         format!(
-            "Met {most} lagen wordt een pixel {:.0} keer berekend van voor naar achter, {:.2} keer in willekeurige volgorde (theorie {:.2}), {:.0} keer van achter naar voor.",
-            last(0),
-            last(1),
-            last(2),
-            last(3)
+            "Met {MOST_LAYERS} lagen wordt elke pixel gemiddeld {last} keer gekleurd; de theorie zegt {theory}."
         ),
     );
     Ok(vec![Drawing::diagram("", alt.clone(), plot.svg(&alt))])
 }
 
-/// Depths of n layers, the nearest first.
-fn from_front(n: u32) -> Vec<f32> {
-    (0..n).map(|k| 1.0 - 2.0 * (k as f32 + 0.5) / n as f32).collect()
-}
-
-fn mean_of_random_orders(n: u32, random: &mut Random) -> f64 {
-    let mut depths = from_front(n);
-    let sum: f64 = (0..ORDERS)
-        .map(|_| {
-            random.shuffle(&mut depths);
-            shaded(&depths)
-        })
-        .sum();
-    sum / f64::from(ORDERS)
-}
-
-/// Colours per pixel, counted by the z-buffer of the slide.
-fn shaded(depths: &[f32]) -> f64 {
-    let polygons: Vec<(ScreenTriangle, Rgb)> = depths.iter().map(|z| (cover(*z), Rgb::ONE)).collect();
+/// How many colours the loop computes for a pixel, over so many random orders of n layers.
+fn mean_colored(n: u32, orders: u32, random: &mut Random) -> f64 {
+    let mut layers: Vec<f32> = (0..n).map(|k| 1.0 - 2.0 * (k as f32 + 0.5) / n as f32).collect();
     let mut image = Image::new(SIDE, SIDE, Rgb::ZERO);
     let mut depth = DepthBuffer::new(SIDE, SIDE, DepthFormat::F32);
-    let work = z_buffer(Rgb::ZERO, &polygons, &mut image, &mut depth);
-    work.colored as f64 / f64::from(SIDE * SIDE)
+    let mut work = Work::default();
+    for _ in 0..orders {
+        random.shuffle(&mut layers);
+        let polygons: Vec<_> = layers.iter().map(|z| (layer(*z), Rgb::ONE)).collect();
+        work = work + z_buffer(Rgb::ZERO, &polygons, &mut image, &mut depth);
+    }
+    work.colored as f64 / (f64::from(orders) * f64::from(SIDE * SIDE))
 }
 
 /// A triangle of one depth that covers the screen.
-fn cover(z: f32) -> ScreenTriangle {
-    let corners = [vec3(-1.0, -1.0, z), vec3(20.0, -1.0, z), vec3(-1.0, 20.0, z)];
-    let vertex = |position: Vec3| ScreenVertex { position, inv_w: -1.0, weights: Barycentric::A };
-    ScreenTriangle { vertices: corners.map(vertex) }
+fn layer(z: f32) -> ScreenTriangle {
+    let reach = 3.0 * SIDE as f32;
+    let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
+    let corners = [Vec2::splat(-1.0), vec2(reach, -1.0), vec2(-1.0, reach)];
+    let vertex = |k: usize| ScreenVertex { position: corners[k].extend(z), inv_w: -1.0, weights: weights[k] };
+    ScreenTriangle { vertices: [0, 1, 2].map(vertex) }
 }
 
-/// A sequence that looks random and is the same every time (splitmix64), so that the figure is.
+/// A linear congruential generator, Knuth's MMIX constants: good enough to shuffle some layers, and the same plot for the
+/// same seed on every machine.
 struct Random(u64);
 
 impl Random {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) % bound as u64) as usize
+    /// A number from 0 to `below` − 1. The high bits: the low ones repeat early.
+    fn below(&mut self, below: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 >> 33) as usize) % below
     }
 
-    /// Every order is equally likely (Fisher and Yates).
-    fn shuffle<T>(&mut self, items: &mut [T]) {
-        for last in (1..items.len()).rev() {
-            let other = self.below(last + 1);
-            items.swap(last, other);
+    /// Fisher and Yates: every order is equally likely.
+    fn shuffle(&mut self, list: &mut [f32]) {
+        for k in (1..list.len()).rev() {
+            list.swap(k, self.below(k + 1));
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_mean_of_random_orders_is_the_harmonic_number() {
-        let harmonic: f64 = (1..=12).map(|k| 1.0 / f64::from(k)).sum();
-        // The variance of the count is H_12 − Σ 1/k² = 1.54; the mean of 400 has a deviation of 0.062. Four of them.
-        assert!((mean_of_random_orders(12, &mut Random(3)) - harmonic).abs() < 0.25);
-        assert_eq!(shaded(&from_front(12)), 1.0);
     }
 }

@@ -4,6 +4,7 @@
 //! lecture: vectors and points upright and bold, numbers and angles in italics.
 
 pub(crate) mod crowd;
+mod matrix;
 pub(crate) mod plot;
 pub(crate) mod text;
 pub(crate) mod view;
@@ -100,7 +101,6 @@ pub(crate) enum Side {
     Middle,
     AboveLeft,
     AboveRight,
-    BelowLeft,
     BelowRight,
 }
 
@@ -267,12 +267,11 @@ impl Sheet {
             Side::Middle => (0.0, 0.35 * height),
             Side::AboveLeft => (-0.7 * gap, -0.5 * gap),
             Side::AboveRight => (0.7 * gap, -0.5 * gap),
-            Side::BelowLeft => (-0.7 * gap, 0.5 * gap + 0.7 * height),
             Side::BelowRight => (0.7 * gap, 0.5 * gap + 0.7 * height),
         };
         let anchor = match side {
             Side::Above | Side::Below | Side::Middle => "middle",
-            Side::Left | Side::AboveLeft | Side::BelowLeft => "end",
+            Side::Left | Side::AboveLeft => "end",
             Side::Right | Side::AboveRight | Side::BelowRight => "start",
         };
         let place = self.at(p) + vec2(dx, dy);

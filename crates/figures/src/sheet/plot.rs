@@ -36,8 +36,18 @@ pub(crate) struct Series {
     pub(crate) name: Words,
     pub(crate) ink: Ink,
     pub(crate) points: Vec<(f64, f64)>,
-    /// A law, not a measurement: dashed, without dots.
-    pub(crate) is_theory: bool,
+    pub(crate) kind: Kind,
+}
+
+/// How a series is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// A measurement: a line, with dots where it was taken unless they are many.
+    Measured,
+    /// A law: a dashed line.
+    Theory,
+    /// Single places: dots alone.
+    Places,
 }
 
 /// A plot in the making.
@@ -48,11 +58,11 @@ pub(crate) struct Plot {
     pub(crate) series: Vec<Series>,
 }
 
-const WIDTH: f32 = 760.0;
+const WIDTH: f32 = 780.0;
 const HEIGHT: f32 = 460.0;
 /// Room around the axes, in pixels: for numbers at the left, names of the series at the right.
 const LEFT: f32 = 84.0;
-const RIGHT: f32 = 176.0;
+const RIGHT: f32 = 190.0;
 const TOP: f32 = 44.0;
 const BOTTOM: f32 = 62.0;
 /// The height of the numbers at the axes.
@@ -85,8 +95,12 @@ impl Plot {
         for series in &self.series {
             let points: Vec<Vec2> = series.points.iter().map(|p| vec2(x.at(p.0), y.at(p.1))).collect();
             let pen = series.ink.pen();
-            sheet.path(&points, if series.is_theory { pen.dashed() } else { pen });
-            if !series.is_theory && points.len() <= MOST_DOTS {
+            match series.kind {
+                Kind::Measured => sheet.path(&points, pen),
+                Kind::Theory => sheet.path(&points, pen.dashed()),
+                Kind::Places => {}
+            }
+            if series.kind == Kind::Places || (series.kind == Kind::Measured && points.len() <= MOST_DOTS) {
                 for p in &points {
                     sheet.dot(*p, series.ink);
                 }

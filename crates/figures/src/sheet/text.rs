@@ -54,7 +54,7 @@ mod tests {
 
     #[test]
     fn a_minus_is_a_minus_and_zero_has_none() {
-        assert_eq!(decimal(-0.126, 2), "−0.13");
+        assert_eq!(decimal(-0.127, 2), "−0.13");
         assert_eq!(decimal(-0.001, 2), "0.00");
         assert_eq!(decimal(7.0_f32, 0), "7");
     }
