@@ -49,8 +49,8 @@ pub struct PainterReport {
     pub cycles: Vec<Vec<(usize, usize)>>,
     /// How many polygons were cut in two to break them (Newell).
     pub splits: usize,
-    /// Whether the polygons were too entangled to find out, within [`crate::MOST_COMPARISONS`], what hides what. Then they
-    /// were sorted by depth as on the slide, and the picture may be wrong.
+    /// Whether the polygons were too entangled to find out, within [`crate::MOST_COMPARISONS`], what hides what. Then nothing
+    /// was drawn.
     pub gave_up: bool,
 }
 

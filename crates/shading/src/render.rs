@@ -128,22 +128,17 @@ fn paint(world: &World, pipeline: &Pipeline, frame: &mut Frame) {
             triangles.push(t.on_screen);
         }
     });
-    let plan = painter::plan_within(&triangles, MOST_COMPARISONS);
-    let gave_up = plan.is_none();
-    let plan = plan.unwrap_or_else(|| by_depth(&triangles));
+    let Some(plan) = painter::plan_within(&triangles, MOST_COMPARISONS) else {
+        frame.painter = Some(PainterReport { gave_up: true, ..PainterReport::default() });
+        return;
+    };
     painter::for_each_fragment(&plan, &triangles, pipeline.width(), pipeline.height(), |k, fragment| {
         let pixel = frame.index(fragment.i, fragment.j);
         frame.visible[pixel] = Some(Visible::of_fragment(names[k], &fragment));
         frame.shaded[pixel] += 1;
     });
     let cycles = plan.cycles.iter().map(|cycle| cycle.polygons.iter().map(|k| names[*k]).collect()).collect();
-    frame.painter = Some(PainterReport { cycles, splits: plan.splits, gave_up });
-}
-
-/// The slide's order, which may be wrong.
-fn by_depth(triangles: &[ScreenTriangle]) -> painter::Plan {
-    let pieces = painter::order_by_depth(triangles).into_iter().map(painter::Piece::whole).collect();
-    painter::Plan { pieces, cycles: Vec::new(), splits: 0 }
+    frame.painter = Some(PainterReport { cycles, splits: plan.splits, gave_up: false });
 }
 
 /// Step 3: colours and normals of what is visible, row by row.

@@ -15,14 +15,18 @@ pub(super) struct Graph {
 }
 
 impl Graph {
-    /// The graph of polygons with these boxes; `relation(a, b)` says what a is to b. `None` if it is too large to keep.
-    pub(super) fn new(bounds: &[Bounds], relation: impl Fn(usize, usize) -> Relation) -> Option<Self> {
+    /// The graph of polygons with these boxes; `relation(a, b)` says what a is to b. `None` if it is too large to keep, or
+    /// as soon as `relation` gives none: even to look at all pairs takes long where all overlap.
+    pub(super) fn new(
+        bounds: &[Bounds],
+        relation: impl Fn(usize, usize) -> Option<Relation>,
+    ) -> Option<Self> {
         let boxes = Boxes::new(&bounds.iter().copied().map(Some).collect::<Vec<_>>());
         let (mut starts, mut behind) = (vec![0], Vec::new());
         for (front, bounds) in bounds.iter().enumerate() {
             let mut cursor = 0;
             while let Some(back) = boxes.next_behind(bounds, &mut cursor) {
-                if back != front && matches!(relation(back, front), Relation::Behind | Relation::Piercing) {
+                if back != front && matches!(relation(back, front)?, Relation::Behind | Relation::Piercing) {
                     behind.push(back as u32);
                 }
             }

@@ -9,7 +9,6 @@ use super::graph::Graph;
 use super::order::order_within;
 use super::part::{Part, Position};
 use super::piece::Piece;
-use super::relation::Relation;
 use crate::screen::ScreenTriangle;
 
 /// What to draw over what, so that each pixel shows the nearest triangle. Made by [`plan`].
@@ -101,12 +100,10 @@ fn cycles(parts: &[Part], graph: &Graph) -> Vec<OcclusionCycle> {
 /// What comparing two parts, which are polygons, costs in comparisons of two triangles.
 const PRICE_OF_PARTS: usize = 4;
 
-/// Who hides whom; `None` if it is too large to keep.
+/// Who hides whom; `None` if it is too large to keep, or if the budget does not reach.
 fn graph_of(parts: &[Part], budget: &Budget) -> Option<Graph> {
     let bounds: Vec<_> = parts.iter().map(Part::bounds).collect();
-    Graph::new(&bounds, |a, b| {
-        if budget.pay(PRICE_OF_PARTS) { parts[a].relation(&parts[b]) } else { Relation::Free }
-    })
+    Graph::new(&bounds, |a, b| budget.pay(PRICE_OF_PARTS).then(|| parts[a].relation(&parts[b])))
 }
 
 /// What remains to be done, the next at the end.
