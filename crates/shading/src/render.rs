@@ -4,7 +4,7 @@ use canvas::Rgb;
 use rayon::prelude::*;
 use transforms::Pipeline;
 use zbuffer::depth_buffer::DepthBand;
-use zbuffer::{DepthBuffer, DepthFormat, Fragment, ScreenTriangle, painter};
+use zbuffer::{DepthBuffer, DepthFormat, Fragment, painter};
 
 use crate::projected::{Batch, Projected, in_batches, overlap};
 use crate::{Facet, Frame, Lighting, Object, PainterReport, Shading, Surface, Visible, World};
