@@ -104,10 +104,10 @@ pub(super) static NEAR_SIMILAR: Claim = Claim {
     number: "L20",
     name: "near-similar-depths",
     quote: "coplanar polygons that have near-similar or identical values in the z-buffer.",
-    translation: "coplanar polygons that have near-similar or identical values in the z-buffer",
+    translation: "z-fighting: such polygons cannot be told apart; tried is which of two is drawn as the nearer",
     truth: text(
-        "Surfaces are told apart for certain from two depth steps on. The step grows with the square of the distance and shrinks by 256 for each 8 bits.",
-        "Vlakken worden zeker uit elkaar gehouden vanaf twee dieptestappen. De stap groeit met het kwadraat van de afstand en wordt 256 maal kleiner per 8 bits.",
+        "Surfaces are told apart for certain from two depth steps on. The step grows with the square of the distance; 24 bits make it 256 times smaller than 16.",
+        "Vlakken worden zeker uit elkaar gehouden vanaf twee dieptestappen. De stap groeit met het kwadraat van de afstand; met 24 bits is hij 256 maal kleiner dan met 16.",
     ),
     expected: Verdict::HoldsIf(TWO_STEPS),
     code: &["zbuffer::depth_format::step_at", "zbuffer::DepthFormat::code"],

@@ -42,8 +42,8 @@ pub(super) static DEPTH_ORDER: Claim = Claim {
     quote: "(n 0 0 0; 0 n 0 0; 0 0 n+f −fn; 0 0 1 0)",
     translation: "the perspective matrix",
     truth: text(
-        "After division by w the order of depths is the same, for points before the eye; a point behind it lands before all of them.",
-        "Na deling door w is de volgorde in diepte dezelfde, voor punten vóór het oog; een punt erachter komt vóór al die punten te liggen.",
+        "After division by w the order of depths is the same, for points before the eye; a point behind the eye lands farther than all of them.",
+        "Na deling door w is de volgorde in diepte dezelfde, voor punten vóór het oog; een punt achter het oog komt verder weg te liggen dan al die punten.",
     ),
     expected: Verdict::HoldsIf(BOTH_BEFORE_THE_EYE),
     code: &["transforms::projection::perspective"],

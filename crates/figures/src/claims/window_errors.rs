@@ -63,8 +63,8 @@ pub(super) static CORNER: Claim = Claim {
     quote: "(1 0 0.5; 0 1 0.5; 0 0 0)",
     translation: "the last factor of the window transform",
     truth: text(
-        "A 1 belongs in the corner. With 0 the third coordinate is lost, and no pixel is moved by (l, b): the picture shows what lies to the right of and above the window's middle.",
-        "In de hoek hoort een 1. Met 0 gaat de derde coördinaat verloren en wordt geen pixel over (l, b) verschoven: het beeld toont wat rechts van en boven het midden van het venster ligt.",
+        "A 1 belongs in the corner. With 0 the third coordinate is lost, and no pixel is moved by (l, b): the picture shows what lies to the right of and above the origin of the view plane.",
+        "In de hoek hoort een 1. Met 0 gaat de derde coördinaat verloren en wordt geen pixel over (l, b) verschoven: het beeld toont wat rechts van en boven de oorsprong van het viewplane ligt.",
     ),
     expected: Verdict::Refuted,
     code: &["transforms::viewport::window_from_pixel"],

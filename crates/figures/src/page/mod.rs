@@ -48,6 +48,12 @@ pub fn html(figures: &[Entry], claims: &[Trial]) -> String {
                         @for trial in claims { (claim(trial)) }
                     }
                 }
+                // For those without keys, on a phone say.
+                div.steps {
+                    button #before type="button" aria-label="back" { "‹" }
+                    button #after type="button" aria-label="on" { "›" }
+                    button #leave type="button" aria-label="leave full screen" { "×" }
+                }
                 p.skip #spoken role="status" aria-live="polite" {}
                 script { (PreEscaped(include_str!("page.js"))) }
             }

@@ -22,7 +22,10 @@
   const mark = (k) => {
     current = Math.max(0, Math.min(slides.length - 1, k));
     slides.forEach((slide, at) => slide.classList.toggle('current', at === current));
-    links.forEach((a, id) => a.toggleAttribute('aria-current', id === slides[current].id));
+    links.forEach((a, id) => {
+      if (id === slides[current].id) a.setAttribute('aria-current', 'true');
+      else a.removeAttribute('aria-current');
+    });
   };
   const step = (k) => {
     mark(k);
@@ -46,6 +49,9 @@
     slides[current].scrollIntoView();
   };
   document.getElementById('present').addEventListener('click', start);
+  document.getElementById('before').addEventListener('click', () => step(current - 1));
+  document.getElementById('after').addEventListener('click', () => step(current + 1));
+  document.getElementById('leave').addEventListener('click', stop);
   document.addEventListener('fullscreenchange', () => {
     if (!document.fullscreenElement && isOn()) stop();
   });
@@ -59,6 +65,10 @@
       ArrowRight: current + 1, ArrowDown: current + 1, PageDown: current + 1, ' ': current + 1,
       ArrowLeft: current - 1, ArrowUp: current - 1, PageUp: current - 1, Home: 0, End: slides.length - 1,
     }[event.key];
+    // A slide that is taller than the screen is read to its end first.
+    const more = window.scrollY + window.innerHeight < root.scrollHeight - 2;
+    if (more && ['ArrowDown', 'PageDown', ' '].includes(event.key)) return;
+    if (window.scrollY > 0 && ['ArrowUp', 'PageUp'].includes(event.key)) return;
     if (to !== undefined) {
       event.preventDefault();
       step(to);

@@ -11,8 +11,8 @@ pub(super) static FIGURE: Figure = Figure {
     name: "mirrors-and-glass",
     title: Text { en: "Recursive ray tracing", nl: "Recursieve ray tracing" },
     caption: Text {
-        en: "Mirrors and glass send rays on. With depth 0 they show only their own highlights; with depth 1 a mirror shows the room, but not what other mirrors show; then the pictures in pictures appear.",
-        nl: "Spiegels en glas sturen stralen door. Met diepte 0 tonen ze alleen hun eigen glansplekken; met diepte 1 toont een spiegel de kamer, maar niet wat andere spiegels tonen; daarna verschijnen de beelden in beelden.",
+        en: "Mirrors and glass send rays on. Where the depth is used up a ray brings back the background: with depth 0 mirrors and glass are flat blue with their own highlights; with depth 1 a mirror shows the room, but not what other mirrors show, and glass not what is behind it; then the pictures in pictures appear.",
+        nl: "Spiegels en glas sturen stralen door. Waar de diepte op is brengt een straal de achtergrond terug: met diepte 0 zijn spiegels en glas egaal blauw met hun eigen glansplekken; met diepte 1 toont een spiegel de kamer, maar niet wat andere spiegels tonen, en glas niet wat erachter ligt; daarna verschijnen de beelden in beelden.",
     },
     parameters: &[Parameter::count(
         "depth",

@@ -11,8 +11,8 @@ pub(super) static FIGURE: Figure = Figure {
     name: "shadow-puzzles",
     title: Text { en: "Shadows tell where things are", nl: "Schaduwen vertellen waar dingen zijn" },
     caption: Text {
-        en: "Three puzzles, each with and without shadows. Two bins that look alike: one floats. Stones that lie on ice so clear that it cannot be seen: their shadows lie on the lake's bed, so they seem to hover. Posts under a sun directly overhead: their shadows hide beneath them, and they stand nowhere.",
-        nl: "Drie puzzels, elk met en zonder schaduwen. Twee bakken die op elkaar lijken: één zweeft. Stenen op ijs zo helder dat het niet te zien is: hun schaduwen vallen op de bodem van het meer, dus lijken ze te zweven. Palen onder een zon recht boven: hun schaduwen vallen onder henzelf, en ze staan nergens.",
+        en: "Three puzzles, each with and without shadows. Two bins that look alike: one floats. Stones that lie on ice so clear that it cannot be seen: their shadows lie on the lake's bed, so they seem to hover. Posts under a sun directly overhead: their shadows hide beneath them, and they stand nowhere; only the ring shows that the sun shines.",
+        nl: "Drie puzzels, elk met en zonder schaduwen. Twee bakken die op elkaar lijken: één zweeft. Stenen op ijs zo helder dat het niet te zien is: hun schaduwen vallen op de bodem van het meer, dus lijken ze te zweven. Palen onder een zon recht boven: hun schaduwen vallen onder henzelf, en ze staan nergens; alleen de ring verraadt dat de zon schijnt.",
     },
     parameters: &[],
     size: (360, 270),
@@ -55,12 +55,12 @@ const PUZZLES: [Puzzle; 3] = [
         name: "noon",
         load: || scene(NOON),
         with: Text {
-            en: "Posts and a bar under the sun: only what is wide has a shadow, straight beneath it.",
-            nl: "Palen en een balk onder de zon: alleen wat breed is heeft een schaduw, recht eronder.",
+            en: "Posts and a ring under the sun: the posts have no shadow beside them, the ring has one straight beneath it.",
+            nl: "Palen en een ring onder de zon: de palen hebben geen schaduw naast zich, de ring heeft er een recht onder zich.",
         },
         without: Text {
-            en: "The same without shadows: hardly any difference.",
-            nl: "Hetzelfde zonder schaduwen: nauwelijks verschil.",
+            en: "The same without shadows: the posts look as before, the ring might be anywhere.",
+            nl: "Hetzelfde zonder schaduwen: de palen zien er net zo uit, de ring kan overal zijn.",
         },
     },
 ];

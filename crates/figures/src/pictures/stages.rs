@@ -56,7 +56,11 @@ fn draw(values: &Values) -> Drawn {
     let mut drawings = Vec::new();
     for stage in &stages {
         let image = picture(stage, &pipeline, point, values.size())?;
-        let at = stage.from_world.project_point3(point);
+        let at = match stage.name {
+            // The drawing stretches the depth; the words do not.
+            "5-screen" => pipeline.screen_from_world().project_point3(point),
+            _ => stage.from_world.project_point3(point),
+        };
         let alt = Words::new(
             format!("{}: the teapot in its viewing volume; the point is at {}.", stage.title.en, triple(at)),
             format!(

@@ -11,6 +11,7 @@ use figures::{Content, Drawing, Words};
 use serde_json::{Map, Value, json};
 
 use crate::failure::Failure;
+use crate::speech::warn;
 use crate::unfinished::Unfinished;
 
 /// The file that says what the others are.
@@ -54,7 +55,7 @@ impl Album {
     /// The album in `folder`, which is made if it is not there.
     ///
     /// # Errors
-    /// [`Failure`] if there can be no such folder, or if it takes no files.
+    /// [`Failure`] if there can be no such folder, if it takes no files, or if it has somebody else's page.
     pub(crate) fn open(folder: &Path) -> Result<Self, Failure> {
         let refused = |error: std::io::Error| {
             Failure::io("write to", folder, &error, "choose another folder with --out")
@@ -67,11 +68,23 @@ impl Album {
         }
         fs::create_dir_all(folder).map_err(refused)?;
         Unfinished::beside(&folder.join(FILE)).map_err(refused)?;
-        // A file that is missing or damaged costs a new drawing, no more.
-        let text = fs::read_to_string(folder.join(FILE)).unwrap_or_default();
-        let kept =
-            serde_json::from_str(&text).ok().and_then(|value| all_from_json(&value)).unwrap_or_default();
-        Ok(Self { folder: folder.to_owned(), kept })
+        let list = folder.join(FILE);
+        if !list.exists() && folder.join(super::PAGE).exists() {
+            return Err(Failure::new(
+                format!("{} holds an {} that is not from here", folder.display(), super::PAGE),
+                "choose another folder with --out, so that nothing of yours is replaced",
+            ));
+        }
+        let text = fs::read_to_string(&list).unwrap_or_default();
+        let kept = serde_json::from_str(&text).ok().and_then(|value| all_from_json(&value));
+        if kept.is_none() && list.exists() {
+            warn(&format!(
+                "{} is damaged, so it is not known what was drawn before: `cargo lab figures --out {}` draws all of it anew",
+                list.display(),
+                folder.display()
+            ));
+        }
+        Ok(Self { folder: folder.to_owned(), kept: kept.unwrap_or_default() })
     }
 
     /// Whether there are drawings of `stem`, of whatever values.

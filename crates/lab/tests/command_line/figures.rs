@@ -29,7 +29,10 @@ fn a_figure_is_drawn_once_and_again_only_if_something_changed() {
     assert!(draw(&[]).out.contains("drew 1"));
     assert_eq!(desk.bytes("figures/L31-exponent-strip.png"), before);
     desk.put("figures/.lab-figures.json", "{ \"L31-exponent-strip\": 7");
-    assert!(!draw(&[]).out.contains("drew 0"));
+    let words = [&["figures", "L31", "L33", "--size", "48x32"][..]].concat();
+    let said = desk.words(&words);
+    assert!(said.code == Some(0) && !said.out.contains("drew 0"), "{said:?}");
+    assert!(said.err.contains(".lab-figures.json is damaged"), "{}", said.err);
 }
 
 #[test]
@@ -52,6 +55,14 @@ fn figures_that_are_not_there_and_values_out_of_range_are_refused() {
     desk.put("file", "");
     desk.words(&["figures", "L31", "--out", "file"]).refused(&["file is a file, not a folder", "--out"]);
     assert_eq!(desk.files(), ["file"], "nothing is made before all is in order");
+}
+
+#[test]
+fn nobody_elses_page_is_replaced() {
+    let desk = Desk::new();
+    desk.put("index.html", "mine");
+    desk.words(&["figures", "L33", "--out", "."]).refused(&["not from here", "--out"]);
+    assert_eq!((desk.bytes("index.html"), desk.files()), (b"mine".to_vec(), vec!["index.html".to_owned()]));
 }
 
 #[test]
