@@ -23,6 +23,7 @@ pub mod page;
 pub mod parameter;
 
 mod diagrams;
+mod on_screen;
 mod pictures;
 mod plots;
 mod sheet;

@@ -2,29 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use geometry::Barycentric;
-use glam::Vec3;
-use zbuffer::{DepthBuffer, DepthFormat, Fragment, ScreenTriangle, ScreenVertex, rasterize};
+use zbuffer::{DepthBuffer, DepthFormat, Fragment, ScreenTriangle, rasterize};
 
 use super::sample::Sequence;
+pub(super) use crate::on_screen::triangle;
 
 /// Pixels of the trial screen in either direction.
 pub(super) const SIDE: u32 = 24;
 
 /// For each pixel of the screen, row by row upwards, which triangle it shows.
 pub(super) type Winners = Vec<Option<usize>>;
-
-/// The triangle with these corners: x and y in pixels, z canonical.
-pub(super) fn triangle(corners: [[f32; 3]; 3]) -> ScreenTriangle {
-    let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
-    ScreenTriangle {
-        vertices: [0, 1, 2].map(|k| ScreenVertex {
-            position: Vec3::from(corners[k]),
-            inv_w: -1.0,
-            weights: weights[k],
-        }),
-    }
-}
 
 /// So many triangles across the screen, each as deep as `depths` says: a range for each corner's z.
 pub(super) fn random_triangles(

@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3, vec2, vec3};
 use transforms::Basis;
 
-use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::figure::{Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
 use crate::sheet::crowd::Vector;
 use crate::sheet::text::triple;
@@ -75,7 +75,7 @@ fn draw(values: &Values) -> Drawn {
         format!("Five arrows from the eye: the view direction, up, and the frame u = {u}, v = {v}, w = {w}."),
         format!("Vijf pijlen vanuit het oog: de kijkrichting, up, en het frame u = {u}, v = {v}, w = {w}."),
     );
-    Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
+    Ok(vec![sheet.drawing(alt)])
 }
 
 /// The unit vector along −z, raised by `elevation` and then turned about y by `azimuth`, both in degrees.

@@ -4,7 +4,7 @@ use glam::{Vec2, vec2};
 use lighting::lambert;
 
 use super::slice::{N, WORDS, direction, sheet, tip};
-use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::figure::{Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
 use crate::sheet::crowd::Vector;
 use crate::sheet::text::{decimal, degrees};
@@ -62,5 +62,5 @@ fn draw(values: &Values) -> Drawn {
             "Het licht staat {theta:.1}° van de normaal, onder het oppervlak: n·l is {product}, max(0, n·l) is {share}."
         ),
     );
-    Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
+    Ok(vec![sheet.drawing(alt)])
 }

@@ -3,8 +3,8 @@
 use glam::{Vec2, Vec3};
 use lighting::{blinn_highlight, halfway, phong_highlight, reflect};
 
-use super::slice::{N, WORDS, direction, sheet, tip};
-use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use super::slice::{self, N, WORDS, direction, sheet, tip};
+use crate::figure::{Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
 use crate::sheet::crowd::Vector;
 use crate::sheet::text::{decimal, degrees};
@@ -19,23 +19,8 @@ pub(super) static FIGURE: Figure = Figure {
         nl: "h is de eenheidsvector door het midden van l en e. Waar die dicht bij de normaal n ligt, staat het oog dicht bij de terugkaatsrichting r. In één vlak is de hoek σ tussen e en r tweemaal de hoek ω tussen h en n; de twee glansplekken verschillen dus: h·n heeft ongeveer 4p nodig.",
     },
     parameters: &[
-        Parameter::number(
-            "light",
-            Text { en: "angle between n and l, degrees", nl: "hoek tussen n en l, graden" },
-            60.0,
-            0.0,
-            85.0,
-        ),
-        Parameter::number(
-            "eye",
-            Text {
-                en: "angle between n and e, degrees; positive on the side of r",
-                nl: "hoek tussen n en e, graden; positief aan de kant van r",
-            },
-            20.0,
-            -85.0,
-            85.0,
-        ),
+        slice::light(60.0),
+        slice::eye(20.0),
         Parameter::number("p", Text { en: "exponent p", nl: "exponent p" }, 8.0, 1.0, 256.0),
     ],
     size: (640, 480),
@@ -75,7 +60,7 @@ fn draw(values: &Values) -> Drawn {
             "De halfway vector h staat {omega:.1}° van de normaal, het oog {sigma:.1}° van de terugkaatsrichting."
         ),
     );
-    Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
+    Ok(vec![sheet.drawing(alt)])
 }
 
 /// The two angles, and what the two forms of the highlight make of them.

@@ -4,7 +4,7 @@ use glam::{Vec2, vec2};
 use lighting::lambert;
 
 use super::slice::{N, WORDS, direction, sheet, tip};
-use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::figure::{Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
 use crate::sheet::crowd::Vector;
 use crate::sheet::text::{decimal, degrees};
@@ -61,5 +61,5 @@ fn draw(values: &Values) -> Drawn {
             "De eenheidsvector l staat {theta:.1}° van de normaal n; zijn projectie op n heeft lengte {share}."
         ),
     );
-    Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
+    Ok(vec![sheet.drawing(alt)])
 }

@@ -3,8 +3,8 @@
 use glam::{Vec2, Vec3};
 use lighting::{phong_highlight, reflect};
 
-use super::slice::{N, WORDS, direction, sheet, tip};
-use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use super::slice::{self, N, WORDS, direction, sheet, tip};
+use crate::figure::{Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
 use crate::sheet::crowd::Vector;
 use crate::sheet::text::{decimal, degrees};
@@ -19,23 +19,8 @@ pub(super) static FIGURE: Figure = Figure {
         nl: "Het licht l kaatst terug naar r, even ver van de normaal aan de andere kant. De lob toont de helderheid van de glansplek voor elke plaats van het oog e: het grootst langs r, en hoe groter p, hoe smaller.",
     },
     parameters: &[
-        Parameter::number(
-            "light",
-            Text { en: "angle between n and l, degrees", nl: "hoek tussen n en l, graden" },
-            50.0,
-            0.0,
-            85.0,
-        ),
-        Parameter::number(
-            "eye",
-            Text {
-                en: "angle between n and e, degrees; positive on the side of r",
-                nl: "hoek tussen n en e, graden; positief aan de kant van r",
-            },
-            30.0,
-            -85.0,
-            85.0,
-        ),
+        slice::light(50.0),
+        slice::eye(30.0),
         Parameter::number("p", Text { en: "Phong exponent p", nl: "Phong-exponent p" }, 8.0, 1.0, 256.0),
     ],
     size: (640, 480),
@@ -74,7 +59,7 @@ fn draw(values: &Values) -> Drawn {
             "Het oog staat {sigma:.1}° van de terugkaatsrichting van het licht; met exponent {p} heeft de glansplek helderheid {value}."
         ),
     );
-    Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
+    Ok(vec![sheet.drawing(alt)])
 }
 
 /// The angles, and what the highlight makes of them.

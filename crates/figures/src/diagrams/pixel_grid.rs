@@ -4,7 +4,7 @@ use glam::{Mat3, Vec2, vec2};
 use transforms::affine2::{scale, translate};
 use transforms::{ViewVolume, viewport};
 
-use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::figure::{Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
 use crate::sheet::text::decimal;
 use crate::sheet::{Ink, Letters, Sheet, Side};
@@ -89,7 +89,7 @@ fn draw(values: &Values) -> Drawn {
         format!("Pixel ({i}, {j}) of {n_x} × {n_y} pixels belongs to the point ({u}, {v}) of the window."),
         format!("Pixel ({i}, {j}) van {n_x} × {n_y} pixels hoort bij het punt ({u}, {v}) van het venster."),
     );
-    Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
+    Ok(vec![sheet.drawing(alt)])
 }
 
 /// From a rectangle of the plane into the room whose lower left corner is `at`, as large as it can be.

@@ -3,7 +3,7 @@
 use geometry::{Barycentric, Triangle};
 use glam::{Vec2, vec3};
 
-use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::figure::{Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
 use crate::sheet::text::decimal;
 use crate::sheet::{Ink, Letters, Sheet, Side};
@@ -70,7 +70,7 @@ fn draw(values: &Values) -> Drawn {
     sheet.names(&names);
     words(&mut sheet, weights);
     let alt = alt(weights);
-    Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
+    Ok(vec![sheet.drawing(alt)])
 }
 
 /// The lines α = k, β = k and γ = k, each named at an end.

@@ -7,7 +7,7 @@ use lighting::{Illumination, Light};
 use raytrace::shadow::{is_lit, shadow_ray};
 use raytrace::{Object, Ray, Shape, Surface, World, nearest};
 
-use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::figure::{Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
 use crate::sheet::{Ink, Letters, Sheet, Side};
 
@@ -91,7 +91,7 @@ fn draw(values: &Values) -> Drawn {
             words[0].nl, words[1].nl
         ),
     );
-    Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
+    Ok(vec![sheet.drawing(alt)])
 }
 
 fn world(to_light: Vec3) -> Result<World, raytrace::ObjectError> {

@@ -2,6 +2,8 @@
 
 use glam::{Vec2, Vec3, vec2};
 
+use crate::figure::Text;
+use crate::parameter::Parameter;
 use crate::sheet::{Ink, Sheet};
 
 /// The normal of the surface, up on the sheet.
@@ -32,3 +34,18 @@ pub(super) fn sheet(lowest: f32) -> Sheet {
 
 /// Pixels from the left where the words of a sheet of this kind begin.
 pub(super) const WORDS: f32 = 515.0;
+
+/// The angle of the light from the normal.
+pub(super) const fn light(degrees: f32) -> Parameter {
+    let label = Text { en: "angle between n and l, degrees", nl: "hoek tussen n en l, graden" };
+    Parameter::number("light", label, degrees, 0.0, 85.0)
+}
+
+/// The angle of the eye from the normal.
+pub(super) const fn eye(degrees: f32) -> Parameter {
+    let label = Text {
+        en: "angle between n and e, degrees; positive on the side of r",
+        nl: "hoek tussen n en e, graden; positief aan de kant van r",
+    };
+    Parameter::number("eye", label, degrees, -85.0, 85.0)
+}

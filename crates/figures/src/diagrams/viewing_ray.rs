@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3, vec2, vec3};
 use raytrace::{Ray, viewing_ray};
 use transforms::{Camera, Pipeline, ViewVolume};
 
-use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::figure::{Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
 use crate::sheet::text::{decimal, triple};
 use crate::sheet::view::View;
@@ -58,7 +58,7 @@ fn draw(values: &Values) -> Drawn {
             place.nl
         ),
     );
-    Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
+    Ok(vec![sheet.drawing(alt)])
 }
 
 /// The numbers of the line, and on which part of it t lies.

@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3, vec2, vec3};
 use transforms::ViewVolume;
 
-use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::figure::{Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
 use crate::sheet::crowd::Vector;
 use crate::sheet::text::decimal;
@@ -68,7 +68,7 @@ fn draw(values: &Values) -> Drawn {
             "Een piramide met haar top in het oog, afgesneden door het venster in het viewplane w = {n} en door het far-vlak w = {f}."
         ),
     );
-    Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
+    Ok(vec![sheet.drawing(alt)])
 }
 
 /// The corners of what is seen at depth w: the window, as much larger as it is farther away.

@@ -4,7 +4,7 @@ use geometry::{Ray, Triangle};
 use glam::{Vec2, Vec3, vec2, vec3};
 use raytrace::triangle::{Solution, System, cramer, system};
 
-use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::figure::{Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
 use crate::sheet::text::{decimal, triple};
 use crate::sheet::view::View;
@@ -60,7 +60,7 @@ fn draw(values: &Values) -> Drawn {
     sheet.names(&names);
     numbers(&mut sheet, &ray, &system, &found);
     let alt = alt(&found);
-    Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
+    Ok(vec![sheet.drawing(alt)])
 }
 
 /// The ray is drawn from the eye to here.

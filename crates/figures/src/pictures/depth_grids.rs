@@ -1,11 +1,11 @@
 //! What is in the depth buffer after each polygon? (L17)
 
 use canvas::{Image, Rgb};
-use geometry::Barycentric;
-use glam::{Vec2, vec2, vec3};
-use zbuffer::{DepthBuffer, DepthFormat, ScreenTriangle, ScreenVertex, draw::draw as draw_triangle};
+use glam::{Vec2, vec2};
+use zbuffer::{DepthBuffer, DepthFormat, ScreenTriangle, draw::draw as draw_triangle};
 
-use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::figure::{Drawn, Figure, Text, Words};
+use crate::on_screen;
 use crate::parameter::{Parameter, Values};
 use crate::sheet::{Ink, Letters, Sheet, Side};
 
@@ -71,7 +71,7 @@ fn draw(values: &Values) -> Drawn {
     for (k, grid) in grids.iter().enumerate() {
         draw_grid(&mut sheet, grid, k, inks);
     }
-    Ok(vec![Drawing::diagram("", alt.clone(), sheet.svg(&alt))])
+    Ok(vec![sheet.drawing(alt)])
 }
 
 /// The stored depths, rows from the top down, 0 where nothing was drawn.
@@ -98,13 +98,7 @@ fn draw_grid(sheet: &mut Sheet, grid: &[f32], k: usize, ink: impl Fn(f32) -> Ink
 
 /// A triangle of one depth.
 fn triangle(z: f32, corners: [Vec2; 3]) -> ScreenTriangle {
-    let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
-    let vertex = |k: usize| ScreenVertex {
-        position: vec3(corners[k].x, corners[k].y, z),
-        inv_w: -1.0,
-        weights: weights[k],
-    };
-    ScreenTriangle { vertices: [0, 1, 2].map(vertex) }
+    on_screen::triangle(corners.map(|corner| corner.extend(z).to_array()))
 }
 
 /// The rectangle from the screen's lower left corner to `end`, as two triangles.

@@ -13,7 +13,7 @@ use raytrace::{Search, Shape, TracedMesh};
 use shading::{Shading, Visibility};
 use transforms::{Camera, Pipeline, ViewVolume};
 
-use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::figure::{Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
 use crate::sheet::Ink;
 use crate::sheet::plot::{Axis, Kind, Plot, Series};
@@ -85,7 +85,7 @@ fn draw(values: &Values) -> Drawn {
             series("rays, slide's loop", "stralen, slide-lus", Ink::C, looped),
         ],
     };
-    Ok(vec![Drawing::diagram("", alt.clone(), plot.svg(&alt))])
+    Ok(vec![plot.drawing(alt)])
 }
 
 fn lights() -> Vec<Light> {

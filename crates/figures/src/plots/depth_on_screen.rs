@@ -3,7 +3,7 @@
 use glam::{Vec3, vec3};
 use transforms::{Camera, Pipeline, ViewVolume};
 
-use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::figure::{Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
 use crate::sheet::Ink;
 use crate::sheet::plot::{Axis, Kind, Plot, Series};
@@ -56,7 +56,7 @@ fn draw(values: &Values) -> Drawn {
             "Halverwege op het scherm is de ware camera-z {halfway_z}; recht interpoleren geeft {middle}."
         ),
     );
-    Ok(vec![Drawing::diagram("", alt.clone(), plot.svg(&alt))])
+    Ok(vec![plot.drawing(alt)])
 }
 
 fn plot(pipeline: &Pipeline, ends: [Vec3; 2]) -> Result<Plot, &'static str> {

@@ -4,7 +4,7 @@ use transforms::ViewVolume;
 use zbuffer::DepthFormat;
 use zbuffer::depth_format::step_at;
 
-use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::figure::{Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
 use crate::sheet::Ink;
 use crate::sheet::plot::{Axis, Kind, Plot, Series};
@@ -71,5 +71,5 @@ fn draw(values: &Values) -> Drawn {
             "Drie stijgende lijnen: met 16 bits is de stap {coarse:.3} bij het far-vlak, met 24 bits {times_24:.0} keer kleiner, met 32 bits {times_32:.0} keer."
         ),
     );
-    Ok(vec![Drawing::diagram("", alt.clone(), plot.svg(&alt))])
+    Ok(vec![plot.drawing(alt)])
 }

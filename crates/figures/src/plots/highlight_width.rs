@@ -3,7 +3,7 @@
 use glam::Vec3;
 use lighting::Highlight;
 
-use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::figure::{Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
 use crate::sheet::Ink;
 use crate::sheet::plot::{Axis, Kind, Plot, Series};
@@ -63,7 +63,7 @@ fn draw(values: &Values) -> Drawn {
             "Drie dalende lijnen. Bij p = 32 ligt halve helderheid {phong}° ernaast voor e·r, {blinn}° voor h·n en {four}° voor h·n met 4p."
         ),
     );
-    Ok(vec![Drawing::diagram("", alt.clone(), plot.svg(&alt))])
+    Ok(vec![plot.drawing(alt)])
 }
 
 /// The angle off the mirror direction, towards the normal and beyond, at which the highlight falls to a half. Radians.

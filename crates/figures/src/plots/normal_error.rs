@@ -6,7 +6,7 @@ use glam::Vec3;
 use shading::mode::phong_normal;
 use shading::{CREASE_ANGLE, vertex_normals};
 
-use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::figure::{Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
 use crate::sheet::Ink;
 use crate::sheet::plot::{Axis, Kind, Plot, Series};
@@ -94,7 +94,7 @@ fn draw(values: &Values) -> Drawn {
             "Met {triangles} driehoeken zit de normaal van een vlak er tot {face}° naast, de geïnterpoleerde hoekpuntnormalen tot {vertex}°."
         ),
     );
-    Ok(vec![Drawing::diagram("", alt.clone(), plot.svg(&alt))])
+    Ok(vec![plot.drawing(alt)])
 }
 
 /// The errors of the faces' normals and of the interpolated vertex normals. The true normal of a unit ball points from its

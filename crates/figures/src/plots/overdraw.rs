@@ -1,12 +1,11 @@
 //! How often is a pixel coloured before it has its final colour? (E16, L19)
 
 use canvas::{Image, Rgb};
-use geometry::Barycentric;
-use glam::{Vec2, vec2};
 use zbuffer::draw::{Work, z_buffer};
-use zbuffer::{DepthBuffer, DepthFormat, ScreenTriangle, ScreenVertex};
+use zbuffer::{DepthBuffer, DepthFormat, ScreenTriangle};
 
-use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::figure::{Drawn, Figure, Text, Words};
+use crate::on_screen;
 use crate::parameter::{Parameter, Values};
 use crate::sheet::Ink;
 use crate::sheet::plot::{Axis, Kind, Plot, Series};
@@ -75,7 +74,7 @@ fn draw(values: &Values) -> Drawn {
             "Met {MOST_LAYERS} lagen wordt elke pixel gemiddeld {last} keer gekleurd; de theorie zegt {theory}."
         ),
     );
-    Ok(vec![Drawing::diagram("", alt.clone(), plot.svg(&alt))])
+    Ok(vec![plot.drawing(alt)])
 }
 
 /// How many colours the loop computes for a pixel, over so many random orders of n layers.
@@ -95,10 +94,7 @@ fn mean_colored(n: u32, orders: u32, random: &mut Random) -> f64 {
 /// A triangle of one depth that covers the screen.
 fn layer(z: f32) -> ScreenTriangle {
     let reach = 3.0 * SIDE as f32;
-    let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
-    let corners = [Vec2::splat(-1.0), vec2(reach, -1.0), vec2(-1.0, reach)];
-    let vertex = |k: usize| ScreenVertex { position: corners[k].extend(z), inv_w: -1.0, weights: weights[k] };
-    ScreenTriangle { vertices: [0, 1, 2].map(vertex) }
+    on_screen::triangle([[-1.0, -1.0, z], [reach, -1.0, z], [-1.0, reach, z]])
 }
 
 /// A linear congruential generator, Knuth's MMIX constants: good enough to shuffle some layers, and the same plot for the

@@ -12,7 +12,7 @@ pub(crate) mod view;
 use glam::{Vec2, vec2};
 use maud::{Markup, PreEscaped, html};
 
-use crate::figure::Words;
+use crate::figure::{Drawing, Words};
 use text::raised_and_lowered;
 
 /// What the names of the inks mean. The page has it once; a file of its own carries it along.
@@ -289,6 +289,12 @@ impl Sheet {
             self.put(text(" en", &words.en));
             self.put(text(" nl", &words.nl));
         }
+    }
+
+    /// The figure's only drawing; `alt` is what it says to somebody who cannot see it.
+    pub(crate) fn drawing(self, alt: Words) -> Drawing {
+        let svg = self.svg(&alt);
+        Drawing::diagram("", alt, svg)
     }
 
     /// The text of an SVG file. `alt` is what it says to somebody who cannot see it.

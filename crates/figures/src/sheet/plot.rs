@@ -4,7 +4,7 @@ use glam::{Vec2, vec2};
 
 use super::text::decimal;
 use super::{Ink, LETTER, Letters, Sheet, Side};
-use crate::figure::Words;
+use crate::figure::{Drawing, Words};
 
 /// One axis of a plot.
 #[derive(Clone, Debug)]
@@ -73,6 +73,15 @@ const FEW_DECADES: f64 = 2.5;
 const MOST_DOTS: usize = 24;
 
 impl Plot {
+    /// The figure's only drawing; `alt` is what it says to somebody who cannot see it.
+    ///
+    /// # Panics
+    /// As [`Plot::svg`].
+    pub(crate) fn drawing(&self, alt: Words) -> Drawing {
+        let svg = self.svg(&alt);
+        Drawing::diagram("", alt, svg)
+    }
+
     /// The text of an SVG file.
     ///
     /// # Panics
