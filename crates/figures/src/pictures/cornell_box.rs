@@ -10,8 +10,8 @@ pub(super) static FIGURE: Figure = Figure {
     name: "cornell-box",
     title: Text { en: "The Cornell box", nl: "De Cornell box" },
     caption: Text {
-        en: "The room as it was measured, ray traced with local lighting and shadows. No light goes from wall to wall: the ceiling shows ambient light alone, and the white boxes take no colour from the red and the green wall.",
-        nl: "De kamer zoals die is opgemeten, geraytraced met lokale belichting en schaduwen. Geen licht gaat van muur naar muur: het plafond toont alleen omgevingslicht, en de witte blokken nemen geen kleur aan van de rode en de groene muur.",
+        en: "The room as it was measured, ray traced with local lighting and shadows. No light goes from wall to wall: the fronts of the boxes show ambient light alone, and the boxes take no colour from the red and the green wall.",
+        nl: "De kamer zoals die is opgemeten, geraytraced met lokale belichting en schaduwen. Geen licht gaat van muur naar muur: de voorkanten van de blokken tonen alleen omgevingslicht, en de blokken nemen geen kleur aan van de rode en de groene muur.",
     },
     parameters: &[],
     size: (480, 480),
