@@ -3,6 +3,7 @@
 //! - [`Law`]: a sentence, a [proptest] strategy and a check; it can demand that a given share of the inputs falls in a
 //!   named class, so that no law is true for want of interesting inputs.
 //! - [`strategy`]: bases, rotations, triangles, rays, directions… on asymmetric data.
+//! - [`by_hand`]: inputs that a person can check with pencil and paper.
 //! - [`close`](mod@close): comparisons with a bound that the caller derives.
 //! - [`damage`]: files as they should not be, and a watch over whoever reads them.
 //!
@@ -22,6 +23,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod by_hand;
 pub mod close;
 pub mod damage;
 pub mod law;

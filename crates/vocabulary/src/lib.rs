@@ -1,0 +1,16 @@
+//! What does an exercise speak with, beside glam? A few plain structs: fields and nothing else, so that no method does the
+//! exercise's work.
+//!
+//! Every field is public, every struct can be written down where it is needed and compared.
+
+#![forbid(unsafe_code)]
+
+mod geometry;
+mod transforms;
+
+pub use geometry::{Barycentric, Ray, Sphere, Triangle, Triangle2};
+pub use transforms::{Basis, ViewVolume};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeExamples;

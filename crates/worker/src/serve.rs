@@ -1,0 +1,91 @@
+//! What does a worker do all its life? Read a question, call the function, send the answer.
+
+use std::io::{BufReader, Write};
+use std::panic::{self, AssertUnwindSafe};
+use std::process::ExitCode;
+use std::sync::{Mutex, PoisonError};
+use std::thread::{self, ThreadId};
+
+use crate::channel;
+use crate::function::Function;
+use crate::wire::{self, Answer, Panic, Question};
+
+/// The first panic since the call began.
+static PANIC: Mutex<Option<(Panic, ThreadId)>> = Mutex::new(None);
+
+/// A worker's main function: answers questions about `functions` until nobody asks any more.
+///
+/// Its first command-line argument is the channel's address, its second the memory it may take, in bytes (0: no limit here).
+/// Each answer is sent before the next call begins, so that whoever asked knows on which question a call did not return.
+pub fn serve(functions: &[Function]) -> ExitCode {
+    match answer_all(functions) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            // Standard error belongs to the student's code; but without a channel nothing of it runs.
+            let _ = writeln!(std::io::stderr(), "worker: {error}");
+            ExitCode::from(70)
+        }
+    }
+}
+
+fn answer_all(functions: &[Function]) -> std::io::Result<()> {
+    let mut arguments = std::env::args().skip(1);
+    let address = arguments.next().unwrap_or_default();
+    limit_memory(arguments.next().and_then(|bytes| bytes.parse().ok()).unwrap_or(0))?;
+    let mut answers = channel::open(&address)?;
+    let mut questions = BufReader::new(answers.try_clone()?);
+    panic::set_hook(Box::new(remember));
+    while let Some(question) = wire::receive::<Question>(&mut questions)? {
+        wire::send(&mut answers, &answer(functions, question))?;
+    }
+    Ok(())
+}
+
+fn answer(functions: &[Function], question: Question) -> Answer {
+    let Some(function) = functions.get(question.function as usize) else {
+        return Answer::Misasked(format!("no function {}", question.function));
+    };
+    *PANIC.lock().unwrap_or_else(PoisonError::into_inner) = None;
+    let outcome = panic::catch_unwind(AssertUnwindSafe(|| function(question.arguments)));
+    let remembered = PANIC.lock().unwrap_or_else(PoisonError::into_inner).take();
+    match (remembered, outcome) {
+        (Some((panic, thread)), _) => {
+            Answer::Panicked(Panic { elsewhere: thread != thread::current().id(), ..panic })
+        }
+        (None, Ok(Ok(value))) => Answer::Value(value),
+        (None, Ok(Err(mismatch))) => Answer::Misasked(format!("argument {}", mismatch.parameter)),
+        // Somebody set a hook of their own.
+        (None, Err(_)) => Answer::Panicked(Panic {
+            message: "the panic's message was not kept".to_owned(),
+            file: String::new(),
+            line: 0,
+            elsewhere: false,
+        }),
+    }
+}
+
+/// The panic hook: keeps the first panic instead of printing it.
+fn remember(info: &panic::PanicHookInfo<'_>) {
+    let payload = info.payload();
+    let message = payload
+        .downcast_ref::<&str>()
+        .map(|text| (*text).to_owned())
+        .or_else(|| payload.downcast_ref::<String>().cloned())
+        .unwrap_or_else(|| "a panic without a message".to_owned());
+    let (file, line) = info.location().map_or((String::new(), 0), |at| (at.file().to_owned(), at.line()));
+    let panic = Panic { message, file, line, elsewhere: false };
+    PANIC.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert((panic, thread::current().id()));
+}
+
+#[cfg(unix)]
+fn limit_memory(bytes: u64) -> std::io::Result<()> {
+    if bytes > 0 && rlimit::Resource::AS.is_supported() {
+        rlimit::setrlimit(rlimit::Resource::AS, bytes, bytes)?;
+    }
+    Ok(())
+}
+
+#[cfg(not(unix))]
+fn limit_memory(_bytes: u64) -> std::io::Result<()> {
+    Ok(())
+}

@@ -1,0 +1,79 @@
+//! How do questions and answers become bytes? Length first, then postcard's compact form.
+
+use std::io::{self, Read, Write};
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+
+use crate::value::Value;
+
+/// No message is longer, in bytes: whoever sends more is not answering the question.
+pub const LONGEST: usize = 8 << 20;
+
+/// Calls one function.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Question {
+    /// Which of the worker's functions.
+    pub function: u32,
+    /// What it is called with.
+    pub arguments: Vec<Value>,
+}
+
+/// What came of a call.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Answer {
+    /// It returned.
+    Value(Value),
+    /// It panicked, or a thread of its did.
+    Panicked(Panic),
+    /// It was not called: the arguments were not of its types. The mistake of whoever asked.
+    Misasked(String),
+}
+
+/// The first panic of a call.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Panic {
+    /// What it said.
+    pub message: String,
+    /// The source file, as the compiler was told its name.
+    pub file: String,
+    /// The line in it, from 1.
+    pub line: u32,
+    /// Whether another thread than the one that was called panicked.
+    pub elsewhere: bool,
+}
+
+/// Writes one message.
+///
+/// # Errors
+/// What writing gives; `InvalidInput` for a message over [`LONGEST`].
+pub fn send<T: Serialize>(to: &mut impl Write, message: &T) -> io::Result<()> {
+    let mut bytes = postcard::to_extend(message, vec![0; 4]).map_err(io::Error::other)?;
+    let length = bytes.len() - 4;
+    if length > LONGEST {
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, format!("a message of {length} bytes")));
+    }
+    bytes[..4].copy_from_slice(&(length as u32).to_le_bytes());
+    to.write_all(&bytes)
+}
+
+/// Reads one message; `None` where the sender ended between two.
+///
+/// # Errors
+/// What reading gives; `UnexpectedEof` within a message; `InvalidData` for bytes that are not a message, or one over
+/// [`LONGEST`].
+pub fn receive<T: DeserializeOwned>(from: &mut impl Read) -> io::Result<Option<T>> {
+    let mut length = [0; 4];
+    let got = from.read(&mut length[..1])?;
+    if got == 0 {
+        return Ok(None);
+    }
+    from.read_exact(&mut length[1..])?;
+    let length = u32::from_le_bytes(length) as usize;
+    if length > LONGEST {
+        return Err(io::Error::new(io::ErrorKind::InvalidData, format!("a message of {length} bytes")));
+    }
+    let mut bytes = vec![0; length];
+    from.read_exact(&mut bytes)?;
+    postcard::from_bytes(&bytes).map(Some).map_err(|e| io::Error::new(io::ErrorKind::InvalidData, e))
+}

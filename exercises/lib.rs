@@ -1,0 +1,6 @@
+//! What a student edits: one file an exercise, one folder a concept. README.md says how to begin.
+
+/// How does a point of the world find its pixel?
+pub mod transforms {
+    pub mod rotate_about_point;
+}
