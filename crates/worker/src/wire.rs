@@ -10,6 +10,10 @@ use crate::value::Value;
 /// No message is longer, in bytes: whoever sends more is not answering the question.
 pub const LONGEST: usize = 8 << 20;
 
+/// The first message of a worker: it has its limits and waits for questions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Ready;
+
 /// Calls one function.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Question {
