@@ -5,6 +5,7 @@ use worker::Value;
 
 use crate::answerer::{Answerer, Fault, Reply};
 use crate::exercise::{Example, Exercise};
+use crate::fingerprint::fingerprint;
 use crate::law::{Asker, Broken, Case, Law, Stop};
 
 /// So many steps towards a smaller input, at most.
@@ -306,17 +307,13 @@ impl Case for Fixed<'_> {
     }
 }
 
-/// FNV-1a over the seed and the names, four times with different beginnings: the same on every machine.
+/// From the seed and the names: a fingerprint with four different beginnings.
 fn seed_of(seed: u64, names: &[&str]) -> [u8; 32] {
     let mut bytes = [0; 32];
     for (round, part) in bytes.chunks_exact_mut(8).enumerate() {
         let text = seed.to_le_bytes().into_iter().chain([round as u8]);
-        let hash = text
-            .chain(names.iter().flat_map(|name| name.bytes().chain([0])))
-            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-                (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-            });
-        part.copy_from_slice(&hash.to_le_bytes());
+        let text = text.chain(names.iter().flat_map(|name| name.bytes().chain([0])));
+        part.copy_from_slice(&fingerprint(text).to_le_bytes());
     }
     bytes
 }

@@ -43,7 +43,7 @@ impl Compiler {
         let main = folder.join("main.rs");
         let worker = folder.join(format!("worker{}", std::env::consts::EXE_SUFFIX));
         fs::write(&main, main_file(exercise, file)).map_err(NotCompiled::Failed)?;
-        let output = Command::new(rustc())
+        let output = Command::new(&self.kit.rustc)
             .current_dir(&self.root)
             .args(["--edition", "2024", "--crate-name", "worker_of_a_student", "--crate-type", "bin"])
             // Debug assertions catch the overflow of an index; optimization would cost more than it gives.
@@ -82,11 +82,6 @@ impl Compiler {
         });
         Err(NotCompiled::Refused { message, note })
     }
-}
-
-/// The compiler that cargo would take.
-fn rustc() -> std::ffi::OsString {
-    std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into())
 }
 
 /// File names in messages and panics start at the project's folder.

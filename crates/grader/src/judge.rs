@@ -11,7 +11,7 @@ use course::{Answerer, Exercise, Fault, InProcess, Loss, Picture, Reply, Seen, V
 
 use crate::compile::{Compiler, NotCompiled};
 use crate::judgement::{Judgement, LooksLike, Outcome, Unreadable};
-use crate::kit::Kit;
+use crate::kit::{Build, Kit};
 use crate::process::{Limits, Printed, Process};
 use crate::token::Token;
 
@@ -27,8 +27,8 @@ pub struct Judge {
     pub limits: Limits,
     /// A folder for what is made on the way; each judgement uses a folder of its own in it, and removes it.
     pub scratch: PathBuf,
-    /// Where the kit is remembered, so that an update of Rust is noticed; `None` if it is not.
-    pub memory: Option<PathBuf>,
+    /// Where the kit is remembered, and how it is built again after an update of Rust; `None` if it is not.
+    pub memory: Option<(PathBuf, Build)>,
 }
 
 impl Judge {
@@ -72,9 +72,9 @@ impl Judge {
         };
         match (self.compiler.worker(exercise, file, folder), &self.memory) {
             (Ok(worker), _) => Ok(worker),
-            (Err(NotCompiled::OldKit), Some(memory)) => {
+            (Err(NotCompiled::OldKit), Some((memory, build))) => {
                 Kit::forget(memory);
-                let kit = Kit::remembered(&self.compiler.root, crate::PROFILE, memory)
+                let kit = Kit::remembered(&self.compiler.root, *build, memory)
                     .map_err(|e| Outcome::GraderError(e.to_string()))?;
                 Compiler { kit, ..self.compiler.clone() }.worker(exercise, file, folder).map_err(refused)
             }

@@ -11,12 +11,31 @@ use serde_json::{Value as Json, json};
 /// The libraries that a student's file is compiled against.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Kit {
+    /// The compiler itself, not a launcher that looks for it anew each time.
+    pub(crate) rustc: PathBuf,
     /// `libworker-….rlib`.
     worker: PathBuf,
     /// `libvocabulary-….rlib`.
     vocabulary: PathBuf,
     /// `libglam-….rlib`.
     glam: PathBuf,
+}
+
+/// What cargo is asked to build.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Build {
+    /// A package of the workspace that has the libraries among its dependencies: that of the running program, since the same library may
+    /// be built with other features for another one.
+    pub package: &'static str,
+    /// The profile, "release" or "dev": that of the running program.
+    pub profile: &'static str,
+}
+
+impl Build {
+    /// For a program of this package, with the profile that this library was built with.
+    pub fn of(package: &'static str) -> Self {
+        Self { package, profile: if cfg!(debug_assertions) { "dev" } else { "release" } }
+    }
 }
 
 /// Why there is no kit.
@@ -36,15 +55,15 @@ pub enum KitError {
 impl Kit {
     /// Builds the libraries in the workspace at `root`, or finds them already built.
     ///
-    /// `profile` is the cargo profile, "release" or "dev": that of the running program, so that nothing is built twice.
+    /// They are those of `build`: the libraries that the running program itself is made with need not be built again.
     ///
     /// # Errors
     /// [`KitError`]: cargo is not there, or fails.
-    pub fn build(root: &Path, profile: &str) -> Result<Self, KitError> {
+    pub fn build(root: &Path, build: Build) -> Result<Self, KitError> {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let output = Command::new(cargo)
             .current_dir(root)
-            .args(["build", "--package", "worker", "--profile", profile])
+            .args(["build", "--package", build.package, "--profile", build.profile])
             .args(["--message-format", "json-render-diagnostics"])
             .stdin(Stdio::null())
             .output()
@@ -57,7 +76,12 @@ impl Kit {
             .filter_map(|line| serde_json::from_str(line).ok())
             .collect();
         let library = |name| library(&messages, name).ok_or(KitError::Missing(name));
-        Ok(Self { worker: library("worker")?, vocabulary: library("vocabulary")?, glam: library("glam")? })
+        Ok(Self {
+            rustc: rustc(root),
+            worker: library("worker")?,
+            vocabulary: library("vocabulary")?,
+            glam: library("glam")?,
+        })
     }
 
     /// The kit that `memory` remembers, or a fresh one, which it then remembers. What is remembered counts as long as its files are
@@ -65,12 +89,12 @@ impl Kit {
     ///
     /// # Errors
     /// [`KitError`], from building.
-    pub fn remembered(root: &Path, profile: &str, memory: &Path) -> Result<Self, KitError> {
+    pub fn remembered(root: &Path, build: Build, memory: &Path) -> Result<Self, KitError> {
         let program = this_program();
         if let Some(kit) = recall(memory, &program) {
             return Ok(kit);
         }
-        let kit = Self::build(root, profile)?;
+        let kit = Self::build(root, build)?;
         // A kit that cannot be remembered is built again next time: slower, not wrong.
         let _ = kit.remember(memory, &program);
         Ok(kit)
@@ -101,6 +125,7 @@ impl Kit {
     fn remember(&self, memory: &Path, program: &str) -> io::Result<()> {
         let text = json!({
             "program": program,
+            "rustc": self.rustc.to_string_lossy(),
             "worker": self.worker.to_string_lossy(),
             "vocabulary": self.vocabulary.to_string_lossy(),
             "glam": self.glam.to_string_lossy(),
@@ -115,7 +140,12 @@ fn recall(memory: &Path, program: &str) -> Option<Kit> {
         return None;
     }
     let path = |name: &str| remembered[name].as_str().map(PathBuf::from).filter(|path| path.is_file());
-    Some(Kit { worker: path("worker")?, vocabulary: path("vocabulary")?, glam: path("glam")? })
+    Some(Kit {
+        rustc: path("rustc")?,
+        worker: path("worker")?,
+        vocabulary: path("vocabulary")?,
+        glam: path("glam")?,
+    })
 }
 
 /// The running program and when it was built.
@@ -132,6 +162,17 @@ fn library(messages: &[Json], name: &str) -> Option<PathBuf> {
         .find(|message| message["reason"] == "compiler-artifact" && message["target"]["name"] == name)?;
     let files = artifact["filenames"].as_array()?;
     files.iter().filter_map(Json::as_str).find(|file| file.ends_with(".rlib")).map(PathBuf::from)
+}
+
+/// The compiler that cargo takes: `RUSTC` if somebody chose one; else the one in the toolchain's own folder.
+fn rustc(root: &Path) -> PathBuf {
+    if let Some(chosen) = std::env::var_os("RUSTC") {
+        return chosen.into();
+    }
+    let sysroot = Command::new("rustc").current_dir(root).args(["--print", "sysroot"]).output().ok();
+    let sysroot = sysroot.and_then(|output| String::from_utf8(output.stdout).ok()).unwrap_or_default();
+    let found = Path::new(sysroot.trim()).join("bin").join(format!("rustc{}", std::env::consts::EXE_SUFFIX));
+    if found.is_file() { found } else { "rustc".into() }
 }
 
 /// Where cargo puts the libraries that others need: `deps`, in which a registry's library lies itself.

@@ -19,9 +19,6 @@ mod token;
 pub use compile::Compiler;
 pub use judge::Judge;
 pub use judgement::{Judgement, LooksLike, Outcome, Unreadable, gave};
-pub use kit::{Kit, KitError};
+pub use kit::{Build, Kit, KitError};
 pub use process::{Limits, Output, Printed};
 pub use token::{NoToken, Token, version};
-
-/// The cargo profile that this program was built with, for libraries that fit it.
-pub const PROFILE: &str = if cfg!(debug_assertions) { "dev" } else { "release" };

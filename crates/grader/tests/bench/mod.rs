@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use std::time::Duration;
 
 use course::Exercise;
-use grader::{Compiler, Judge, Judgement, Kit, Limits, PROFILE};
+use grader::{Build, Compiler, Judge, Judgement, Kit, Limits};
 
 /// The line of the submission on which the function's body begins.
 pub(crate) const FIRST_LINE: u32 = 4;
@@ -31,7 +31,7 @@ pub(crate) fn root() -> PathBuf {
 /// Built once for all tests of a program.
 fn kit() -> Kit {
     static KIT: OnceLock<Kit> = OnceLock::new();
-    KIT.get_or_init(|| Kit::build(&root(), PROFILE).expect("the libraries are built")).clone()
+    KIT.get_or_init(|| Kit::build(&root(), Build::of("worker")).expect("the libraries are built")).clone()
 }
 
 impl Bench {
