@@ -76,13 +76,19 @@ impl Examination {
         !self.not_started && self.laws.iter().all(|law| matches!(law.outcome, Outcome::Kept(_)))
     }
 
-    /// The first counterexample.
+    /// The counterexample to show.
     pub fn counterexample(&self) -> Option<(&Tried, &Counterexample)> {
-        self.laws.iter().find_map(|law| match &law.outcome {
-            Outcome::Failed(counterexample) => Some((law, &**counterexample)),
-            Outcome::Kept(_) | Outcome::NotRun => None,
-        })
+        counterexample(&self.laws)
     }
+}
+
+/// The counterexample to show: that of the first law that fails; a worked example's only if all laws hold, since it is not the smallest input.
+pub fn counterexample(laws: &[Tried]) -> Option<(&Tried, &Counterexample)> {
+    let (examples, laws) = laws.split_at(laws.len().min(1));
+    laws.iter().chain(examples).find_map(|law| match &law.outcome {
+        Outcome::Failed(counterexample) => Some((law, &**counterexample)),
+        Outcome::Kept(_) | Outcome::NotRun => None,
+    })
 }
 
 /// Tries all laws of an exercise. The inputs depend on the exercise and the seed alone.

@@ -214,12 +214,9 @@ impl Judgement {
         self.outcome == Outcome::Passed
     }
 
-    /// The first law that does not hold, and where.
+    /// The counterexample to show, and the law it breaks.
     pub fn counterexample(&self) -> Option<(&Tried, &Counterexample)> {
-        self.laws.iter().find_map(|law| match &law.outcome {
-            LawOutcome::Failed(counterexample) => Some((law, &**counterexample)),
-            LawOutcome::Kept(_) | LawOutcome::NotRun => None,
-        })
+        course::trial::counterexample(&self.laws)
     }
 
     /// A call as a person would write it: `rotate_about_point(theta = 1.5, p = (1, 2))`.

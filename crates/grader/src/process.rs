@@ -187,12 +187,20 @@ impl Process {
         match (status, strange) {
             _ if words.contains("has overflowed its stack") => Loss::StackOverflow,
             _ if words.contains("memory allocation of") => Loss::OutOfMemory,
+            (_, Some(error)) if error.get_ref().is_some_and(|inner| inner.is::<TooLong>()) => {
+                Loss::Crashed(error.to_string())
+            }
             (_, Some(error)) => Loss::Crashed(format!("it sent something that is no answer: {error}")),
             (Some(status), None) => exited(status),
             (None, None) => Loss::Crashed("it closed the channel of answers".to_owned()),
         }
     }
 }
+
+/// An answer of so many bytes, more than a message can hold.
+#[derive(Debug, thiserror::Error)]
+#[error("its answer would take {0} bytes")]
+struct TooLong(usize);
 
 impl Answerer for Process {
     fn ask(&mut self, questions: &[Vec<Value>]) -> Result<Vec<Reply>, Fault> {
@@ -218,6 +226,10 @@ impl Answerer for Process {
                 match wire::receive::<Answer>(&mut running.answers) {
                     Ok(Some(Answer::Value(value))) => replies.push(Ok(Reply::Value(value))),
                     Ok(Some(Answer::Panicked(panic))) => replies.push(Ok(Reply::Panicked(panic))),
+                    Ok(Some(Answer::TooLong(bytes))) => {
+                        let long = io::Error::new(io::ErrorKind::InvalidData, TooLong(bytes));
+                        return stop(&running, Some(long));
+                    }
                     Ok(Some(Answer::Misasked(what))) => replies.push(Err(Fault(what))),
                     Ok(None) => return stop(&running, None),
                     Err(e) => return stop(&running, Some(e)),

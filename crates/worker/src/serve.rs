@@ -38,7 +38,7 @@ fn answer_all(functions: &[Function]) -> std::io::Result<()> {
     // What fails before this is not the student's doing.
     wire::send(&mut answers, &Ready)?;
     while let Some(question) = wire::receive::<Question>(&mut questions)? {
-        wire::send(&mut answers, &answer(functions, question))?;
+        wire::send_answer(&mut answers, &answer(functions, question))?;
     }
     Ok(())
 }

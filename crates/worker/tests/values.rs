@@ -100,4 +100,8 @@ fn lists_within_lists_without_end_are_refused_before_the_stack_is_full() {
 fn a_message_that_is_too_long_is_not_sent() {
     let much = Value::List(vec![Value::Number(1.5); 2 << 20]);
     assert!(wire::send(&mut Vec::new(), &much).is_err());
+    let mut bytes = Vec::new();
+    wire::send_answer(&mut bytes, &Answer::Value(much)).expect("sent");
+    let told: Answer = wire::receive(&mut bytes.as_slice()).expect("read").expect("an answer");
+    assert!(matches!(told, Answer::TooLong(length) if length > wire::LONGEST), "{told:?}");
 }
