@@ -21,6 +21,13 @@ pub struct Compiler {
     pub colour: bool,
 }
 
+/// A file and the exercise whose function is in it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Part<'a> {
+    pub(crate) exercise: &'a Exercise,
+    pub(crate) file: &'a Path,
+}
+
 /// Why there is no worker.
 #[derive(Debug)]
 pub(crate) enum NotCompiled {
@@ -33,16 +40,11 @@ pub(crate) enum NotCompiled {
 }
 
 impl Compiler {
-    /// Compiles a student's file into a worker in `folder`; the worker's functions are the exercise's alone.
-    pub(crate) fn worker(
-        &self,
-        exercise: &Exercise,
-        file: &Path,
-        folder: &Path,
-    ) -> Result<PathBuf, NotCompiled> {
+    /// Compiles students' files into one worker in `folder`; its functions are those of the parts, in their order.
+    pub(crate) fn worker(&self, parts: &[Part<'_>], folder: &Path) -> Result<PathBuf, NotCompiled> {
         let main = folder.join("main.rs");
         let worker = folder.join(format!("worker{}", std::env::consts::EXE_SUFFIX));
-        fs::write(&main, main_file(exercise, file)).map_err(NotCompiled::Failed)?;
+        fs::write(&main, main_file(parts)).map_err(NotCompiled::Failed)?;
         let output = Command::new(&self.kit.rustc)
             .current_dir(&self.root)
             .args(["--edition", "2024", "--crate-name", "worker_of_a_student", "--crate-type", "bin"])
@@ -74,7 +76,8 @@ impl Compiler {
         if message.contains("E0514") || message.contains("E0460") {
             return Err(NotCompiled::OldKit);
         }
-        let note = message.contains("main.rs").then(|| {
+        let at_our_side = message.contains("main.rs");
+        let note = parts.first().filter(|_| at_our_side).map(|Part { exercise, .. }| {
             format!(
                 "The exercise asks for `pub fn {}{}`: name, parameters and result must be these.",
                 exercise.name, exercise.signature.text
@@ -93,17 +96,22 @@ fn remapped(root: &Path) -> std::ffi::OsString {
     argument
 }
 
-/// The main file: the student's file is a module of it.
-fn main_file(exercise: &Exercise, file: &Path) -> String {
-    let (name, signature) = (exercise.name, exercise.signature.text);
+/// The main file: each student's file is a module of it.
+fn main_file(parts: &[Part<'_>]) -> String {
+    let modules: String = parts
+        .iter()
+        .enumerate()
+        .map(|(at, Part { file, .. })| format!("#[path = {file:?}]\nmod student_{at};\n"))
+        .collect();
+    let functions: String = parts
+        .iter()
+        .enumerate()
+        .map(|(at, Part { exercise, .. })| {
+            format!("worker::function!(student_{at}::{}, {}), ", exercise.name, exercise.signature.text)
+        })
+        .collect();
     format!(
-        "#![allow(unused_imports)]\n\
-         #[path = {file:?}]\n\
-         mod student;\n\
-         use glam::*;\n\
-         use vocabulary::*;\n\
-         fn main() -> std::process::ExitCode {{\n    \
-             worker::serve(&[worker::function!(student::{name}, {signature})])\n\
-         }}\n"
+        "#![allow(unused_imports)]\n{modules}use glam::*;\nuse vocabulary::*;\n\
+         fn main() -> std::process::ExitCode {{\n    worker::serve(&[{functions}])\n}}\n"
     )
 }

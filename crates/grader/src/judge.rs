@@ -8,8 +8,9 @@ use std::path::{Path, PathBuf};
 use course::diagnosis::diagnose;
 use course::trial::{Examination, examine};
 use course::{Answerer, Exercise, Fault, InProcess, Loss, Picture, Reply, Seen, Value};
+use rayon::prelude::*;
 
-use crate::compile::{Compiler, NotCompiled};
+use crate::compile::{Compiler, NotCompiled, Part};
 use crate::judgement::{Judgement, LooksLike, Outcome, Unreadable};
 use crate::kit::{Build, Kit};
 use crate::process::{Limits, Printed, Process};
@@ -39,80 +40,112 @@ impl Judge {
         if let Some(outcome) = unreadable(file) {
             return Judgement { outcome, ..blank };
         }
-        let folder = match fs::create_dir_all(&self.scratch)
-            .and_then(|()| tempfile::Builder::new().prefix("worker-").tempdir_in(&self.scratch))
-        {
-            Ok(folder) => folder,
-            Err(e) => {
-                let what = format!("no folder for the worker in {}: {e}", self.scratch.display());
-                return Judgement { outcome: Outcome::GraderError(what), ..blank };
-            }
-        };
-        let worker = match self.compile(exercise, file, folder.path()) {
-            Ok(worker) => worker,
-            Err(outcome) => return Judgement { outcome, ..blank },
-        };
-        let mut process = Process::new(worker.clone(), self.limits);
-        let examination = examine(exercise, seed, &mut process);
-        let printed = process.finish();
-        match examination {
-            Ok(examination) => self.weigh(exercise, examination, printed, &worker, blank),
-            Err(fault) => Judgement { outcome: Outcome::GraderError(fault.to_string()), printed, ..blank },
+        match self.worker(&[Part { exercise, file }]) {
+            Ok(worker) => self.examine(exercise, &worker, 0, seed),
+            Err(outcome) => Judgement { outcome, ..blank },
         }
     }
 
-    fn compile(&self, exercise: &Exercise, file: &Path, folder: &Path) -> Result<PathBuf, Outcome> {
-        let failed = |e: io::Error| Outcome::GraderError(format!("rustc: {e}"));
+    /// Judges many files, on all processors. They are compiled together, which takes little longer than one; if that fails,
+    /// each on its own, so that one that does not compile costs no other.
+    pub fn judge_all(&self, files: &[(&Exercise, &Path)], seed: u64) -> Vec<Judgement> {
+        let readable: Vec<Part<'_>> = files
+            .iter()
+            .filter(|(_, file)| unreadable(file).is_none())
+            .map(|(exercise, file)| Part { exercise, file })
+            .collect();
+        let together = if readable.len() > 1 { self.worker(&readable).ok() } else { None };
+        let judge = |(exercise, file): &(&Exercise, &Path)| {
+            let place =
+                readable.iter().position(|part| part.file == *file && part.exercise.name == exercise.name);
+            match (&together, place) {
+                (Some(worker), Some(place)) => self.examine(exercise, worker, place as u32, seed),
+                _ => self.judge(exercise, file, seed),
+            }
+        };
+        files.par_iter().map(judge).collect()
+    }
+
+    /// Compiles files into one worker.
+    fn worker(&self, parts: &[Part<'_>]) -> Result<Worker, Outcome> {
+        let folder = fs::create_dir_all(&self.scratch)
+            .and_then(|()| tempfile::Builder::new().prefix("worker-").tempdir_in(&self.scratch))
+            .map_err(|e| {
+                Outcome::GraderError(format!("no folder for the worker in {}: {e}", self.scratch.display()))
+            })?;
+        let program = self.compile(parts, folder.path())?;
+        Ok(Worker { program, _folder: folder })
+    }
+
+    fn compile(&self, parts: &[Part<'_>], folder: &Path) -> Result<PathBuf, Outcome> {
         let refused = |error| match error {
             NotCompiled::Refused { message, note } => Outcome::DoesNotCompile { message, note },
             NotCompiled::OldKit => {
                 Outcome::GraderError("the libraries are of another version of Rust".to_owned())
             }
-            NotCompiled::Failed(e) => failed(e),
+            NotCompiled::Failed(e) => Outcome::GraderError(format!("rustc: {e}")),
         };
-        match (self.compiler.worker(exercise, file, folder), &self.memory) {
-            (Ok(worker), _) => Ok(worker),
+        match (self.compiler.worker(parts, folder), &self.memory) {
+            (Ok(program), _) => Ok(program),
             (Err(NotCompiled::OldKit), Some((memory, build))) => {
                 Kit::forget(memory);
                 let kit = Kit::remembered(&self.compiler.root, *build, memory)
                     .map_err(|e| Outcome::GraderError(e.to_string()))?;
-                Compiler { kit, ..self.compiler.clone() }.worker(exercise, file, folder).map_err(refused)
+                Compiler { kit, ..self.compiler.clone() }.worker(parts, folder).map_err(refused)
             }
             (Err(error), _) => Err(refused(error)),
         }
     }
 
-    fn weigh(
-        &self,
-        exercise: &Exercise,
-        examination: Examination,
-        printed: Printed,
-        worker: &Path,
-        blank: Judgement,
-    ) -> Judgement {
-        let outcome = outcome(&examination);
-        let wrong = matches!(outcome, Outcome::Wrong);
-        let looks_like = if wrong { looks_like(exercise, &examination) } else { None };
-        let picture = if wrong { self.picture(exercise, &examination, worker) } else { None };
-        let points = examination.points();
-        Judgement { outcome, points, laws: examination.laws, looks_like, picture, printed, ..blank }
+    /// Asks one function of a worker.
+    fn examine(&self, exercise: &Exercise, worker: &Worker, function: u32, seed: u64) -> Judgement {
+        let blank = Judgement::blank(exercise, Token::new(exercise, seed));
+        let process = || Process::new(worker.program.clone(), function, self.limits);
+        let mut asked = process();
+        let examination = examine(exercise, seed, &mut asked);
+        let printed = asked.finish();
+        match examination {
+            Ok(examination) => weigh(exercise, examination, printed, process, blank),
+            Err(fault) => Judgement { outcome: Outcome::GraderError(fault.to_string()), printed, ..blank },
+        }
     }
+}
 
-    /// The counterexample's last call, drawn.
-    fn picture(&self, exercise: &Exercise, examination: &Examination, worker: &Path) -> Option<Picture> {
-        let (_, counterexample) = examination.counterexample()?;
-        let (arguments, reply) = counterexample.calls.last()?;
-        let Reply::Value(given) = reply else { return None };
-        let reference = InProcess(exercise.reference.function);
-        let Ok(Reply::Value(right)) = reference.reply(arguments) else { return None };
-        let asked = RefCell::new(Process::new(worker.to_owned(), self.limits));
-        let yours = |questions: &[Vec<Value>]| values(&mut *asked.borrow_mut(), questions);
-        let right_ones =
-            |questions: &[Vec<Value>]| values(&mut InProcess(exercise.reference.function), questions);
-        let seen =
-            Seen { arguments, given: Some(given), right: &right, yours: &yours, reference: &right_ones };
-        (exercise.draw)(&seen)
-    }
+/// A compiled worker; its folder goes with it.
+struct Worker {
+    program: PathBuf,
+    _folder: tempfile::TempDir,
+}
+
+/// What an examination comes to.
+fn weigh(
+    exercise: &Exercise,
+    examination: Examination,
+    printed: Printed,
+    process: impl FnOnce() -> Process,
+    blank: Judgement,
+) -> Judgement {
+    let outcome = outcome(&examination);
+    let wrong = matches!(outcome, Outcome::Wrong);
+    let looks_like = if wrong { looks_like(exercise, &examination) } else { None };
+    let picture = if wrong { picture(exercise, &examination, process()) } else { None };
+    let points = examination.points();
+    Judgement { outcome, points, laws: examination.laws, looks_like, picture, printed, ..blank }
+}
+
+/// The counterexample's last call, drawn.
+fn picture(exercise: &Exercise, examination: &Examination, process: Process) -> Option<Picture> {
+    let (_, counterexample) = examination.counterexample()?;
+    let (arguments, reply) = counterexample.calls.last()?;
+    let Reply::Value(given) = reply else { return None };
+    let reference = InProcess(exercise.reference.function);
+    let Ok(Reply::Value(right)) = reference.reply(arguments) else { return None };
+    let asked = RefCell::new(process);
+    let yours = |questions: &[Vec<Value>]| values(&mut *asked.borrow_mut(), questions);
+    let right_ones =
+        |questions: &[Vec<Value>]| values(&mut InProcess(exercise.reference.function), questions);
+    let seen = Seen { arguments, given: Some(given), right: &right, yours: &yours, reference: &right_ones };
+    (exercise.draw)(&seen)
 }
 
 /// Answers where there are some; after a loss nothing more is asked.

@@ -61,6 +61,8 @@ pub struct Output {
 #[derive(Debug)]
 pub(crate) struct Process {
     worker: PathBuf,
+    /// Which of the worker's functions is asked.
+    function: u32,
     limits: Limits,
     running: Option<Running>,
     printed: [Arc<Mutex<Kept>>; 2],
@@ -94,8 +96,8 @@ impl Kept {
 }
 
 impl Process {
-    pub(crate) fn new(worker: PathBuf, limits: Limits) -> Self {
-        Self { worker, limits, running: None, printed: Default::default() }
+    pub(crate) fn new(worker: PathBuf, function: u32, limits: Limits) -> Self {
+        Self { worker, function, limits, running: None, printed: Default::default() }
     }
 
     /// Ends the worker and gives what it printed.
@@ -211,11 +213,12 @@ impl Answerer for Process {
         let mut replies = Vec::with_capacity(questions.len());
         let mut asking =
             running.channel.try_clone().map_err(|e| Fault(format!("no channel to the worker: {e}")))?;
+        let function = self.function;
         let ended: Result<(), Option<io::Error>> = thread::scope(|scope| {
             // Written by a thread of its own: with both ends full, each would wait for the other.
             scope.spawn(move || {
                 for arguments in questions {
-                    let question = Question { function: 0, arguments: arguments.clone() };
+                    let question = Question { function, arguments: arguments.clone() };
                     // A worker that is gone is noticed by the one who reads.
                     if wire::send(&mut asking, &question).is_err() {
                         break;

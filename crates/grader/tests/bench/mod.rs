@@ -1,5 +1,7 @@
 //! A judge, and a folder for one submission.
 
+#![allow(dead_code, reason = "each test program uses a part of it")]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
@@ -66,5 +68,16 @@ impl Bench {
         let file = self.folder.path().join("submission.rs");
         fs::write(&file, source).expect("a file");
         self.judge.judge(exercise, &file, seed)
+    }
+
+    /// Judges several files of one exercise at once.
+    pub(crate) fn judge_together(&self, exercise: &Exercise, sources: &[String]) -> Vec<Judgement> {
+        let files: Vec<PathBuf> =
+            (0..sources.len()).map(|at| self.folder.path().join(format!("submission_{at}.rs"))).collect();
+        for (file, source) in files.iter().zip(sources) {
+            fs::write(file, source).expect("a file");
+        }
+        let parts: Vec<(&Exercise, &Path)> = files.iter().map(|file| (exercise, file.as_path())).collect();
+        self.judge.judge_all(&parts, 1)
     }
 }

@@ -4,7 +4,6 @@ use std::time::Duration;
 
 use course::Exercise;
 use grader::{Judge, Judgement, Token, version};
-use rayon::prelude::*;
 use serde_json::json;
 
 use super::verdict;
@@ -89,10 +88,7 @@ pub(crate) fn judge_all(
     seed: u64,
     in_order: bool,
 ) -> Vec<Judgement> {
-    let judgements: Vec<Judgement> = meant
-        .par_iter()
-        .map(|Meant { exercise, file }| bench.judge_file(judge, exercise, file, seed))
-        .collect();
+    let judgements = bench.judge_files(judge, meant, seed);
     let mut memory = bench.memory();
     for (Meant { exercise, file }, judgement) in meant.iter().zip(&judgements) {
         if seed == SEED && *file == bench.file(exercise) {

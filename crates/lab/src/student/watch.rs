@@ -9,7 +9,7 @@ use course::Exercise;
 use grader::{Judge, Judgement};
 
 use super::ink::{faint, strong, typed};
-use super::workbench::{SEED, Workbench};
+use super::workbench::Workbench;
 use super::{board, changes, hint, keys, verdict, which};
 use crate::cli::{Outcome, WatchArgs};
 use crate::failure::Failure;
@@ -132,7 +132,7 @@ impl Watch {
     fn judge(&mut self) -> Result<(), Failure> {
         let file = self.file();
         self.last = std::fs::read(&file).ok();
-        let judgement = self.bench.judge_file(&self.judge, &self.exercise, &file, SEED);
+        let judgement = self.bench.judge_file(&self.judge, &self.exercise, &file);
         self.picture = self.bench.draw(&judgement);
         self.verdict(&judgement)?;
         let mut memory = self.bench.memory();

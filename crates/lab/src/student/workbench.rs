@@ -9,6 +9,7 @@ use grader::{Build, Compiler, Judge, Judgement, Kit, Limits};
 
 use super::ink;
 use super::memory::Memory;
+use super::which::Meant;
 use crate::failure::Failure;
 use crate::unfinished::Unfinished;
 
@@ -81,12 +82,29 @@ impl Workbench {
         Ok(Judge { compiler, limits, scratch: self.home.join("scratch"), memory: Some((memory, build)) })
     }
 
-    /// Judges the file of an exercise, or says at once that nothing has been done in it, and remembers what came of it.
-    pub(crate) fn judge_file(&self, judge: &Judge, exercise: &Exercise, file: &Path, seed: u64) -> Judgement {
+    /// Judges files; of one in which nothing has been done, says so at once.
+    pub(crate) fn judge_files(&self, judge: &Judge, meant: &[Meant], seed: u64) -> Vec<Judgement> {
+        let touched: Vec<&Meant> =
+            meant.iter().filter(|meant| !is_untouched(&meant.exercise, &meant.file)).collect();
+        let files: Vec<(&Exercise, &Path)> =
+            touched.iter().map(|meant| (&meant.exercise, meant.file.as_path())).collect();
+        let mut judgements = judge.judge_all(&files, seed).into_iter();
+        meant
+            .iter()
+            .map(|meant| {
+                let touched = touched.iter().any(|other| std::ptr::eq(*other, meant));
+                let judged = if touched { judgements.next() } else { None };
+                judged.unwrap_or_else(|| Judgement::not_started(&meant.exercise, seed))
+            })
+            .collect()
+    }
+
+    /// Judges one file.
+    pub(crate) fn judge_file(&self, judge: &Judge, exercise: &Exercise, file: &Path) -> Judgement {
         if is_untouched(exercise, file) {
-            return Judgement::not_started(exercise, seed);
+            return Judgement::not_started(exercise, SEED);
         }
-        judge.judge(exercise, file, seed)
+        judge.judge(exercise, file, SEED)
     }
 
     /// What is remembered of the exercises.
