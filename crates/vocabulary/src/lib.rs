@@ -7,9 +7,11 @@
 
 mod geometry;
 mod transforms;
+mod zbuffer;
 
 pub use geometry::{Barycentric, Ray, Sphere, Triangle, Triangle2};
 pub use transforms::{Basis, ViewVolume};
+pub use zbuffer::{Buffers, Fragment, Occlusion, Pixel};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -2,6 +2,7 @@
 
 mod geometry;
 mod transforms;
+mod zbuffer;
 
 /// How a struct of the vocabulary, `Copy`, becomes a value and an argument.
 macro_rules! record {
