@@ -4,3 +4,9 @@
 pub mod transforms {
     pub mod rotate_about_point;
 }
+
+/// What does a ray meet, and what colour does it bring back?
+pub mod raytrace {
+    pub mod ray_triangle_system;
+    pub mod viewing_ray;
+}

@@ -6,9 +6,11 @@
 #![forbid(unsafe_code)]
 
 mod geometry;
+mod raytrace;
 mod transforms;
 
 pub use geometry::{Barycentric, Ray, Sphere, Triangle, Triangle2};
+pub use raytrace::{Ball, Lamp, MirrorBall, TriangleHit};
 pub use transforms::{Basis, ViewVolume};
 
 #[cfg(doctest)]
