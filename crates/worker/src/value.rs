@@ -37,7 +37,7 @@ pub enum Value {
 }
 
 /// The name of a struct, a variant or a field: usually a word of the program itself, so that taking a struct apart copies no text.
-pub type Name = Cow<'static, str>;
+pub(crate) type Name = Cow<'static, str>;
 
 /// A struct or a variant of an enum, taken apart.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
