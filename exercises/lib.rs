@@ -12,3 +12,9 @@ pub mod transforms {
     pub mod screen_from_canonical;
     pub mod window_from_pixel;
 }
+
+/// What does a ray meet, and what colour does it bring back?
+pub mod raytrace {
+    pub mod ray_triangle_system;
+    pub mod viewing_ray;
+}

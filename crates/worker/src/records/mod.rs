@@ -1,7 +1,9 @@
 //! How do the structs of the vocabulary travel? By name, field after field: one line a struct.
 
 mod geometry;
+mod raytrace;
 mod transforms;
+mod zbuffer;
 
 /// How a struct of the vocabulary, `Copy`, becomes a value and an argument.
 macro_rules! record {
