@@ -9,9 +9,9 @@
 //! - `gaze`, `up`: directions in world coordinates, of any length; they need not be at right angles.
 //! - Degenerate: return `None` if `gaze` is zero, if `up` is zero, or if `up` is parallel to `gaze` (along it or against it).
 //!   Then nothing says where right is.
-//! - Computed numbers are rounded: the cross product of two parallel vectors may come out as 0.0000001. So compare the sine of
-//!   the angle, ‖up × gaze‖ / (‖up‖·‖gaze‖), with a small number like 0.001. No input lies between: where up and gaze are
-//!   not parallel, they are at least half a degree apart.
+//! - Numbers are rounded, and the cross product of two parallel vectors may come out as 0.0000001. So compare the sine of the
+//!   angle, ‖up × gaze‖ / (‖up‖·‖gaze‖), with a small number like 0.001. No input lies between: where up and gaze are not
+//!   parallel up to rounding, they are at least half a degree apart.
 //!
 //! glam: `cross`, `length`, `normalize`, `try_normalize` (an Option: `None` for a vector of length 0).
 

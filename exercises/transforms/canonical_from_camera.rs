@@ -1,6 +1,6 @@
 //! From the camera to the canonical cube (L2 and L3).
 //!
-//! Give the 4×4 matrix that carries the viewing volume, a pyramid without its top, to the cube [−1, 1]³: S · C · P, where P is the
+//! Give the 4×4 matrix that carries the viewing volume, a pyramid without its top, to the cube [−1, 1]³: S · C · P. P is the
 //! perspective matrix (it makes the pyramid a box), C moves the middle of the box to the origin, S scales it:
 //!
 //!     2/(r−l)    0       0    0     1 0 0 −(l+r)/2     n 0  0    0

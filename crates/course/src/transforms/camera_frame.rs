@@ -20,9 +20,9 @@ const STUB: &str = r#"//! The camera's frame (Fig 4.8, L6).
 //! - `gaze`, `up`: directions in world coordinates, of any length; they need not be at right angles.
 //! - Degenerate: return `None` if `gaze` is zero, if `up` is zero, or if `up` is parallel to `gaze` (along it or against it).
 //!   Then nothing says where right is.
-//! - Computed numbers are rounded: the cross product of two parallel vectors may come out as 0.0000001. So compare the sine of
-//!   the angle, ‖up × gaze‖ / (‖up‖·‖gaze‖), with a small number like 0.001. No input lies between: where up and gaze are
-//!   not parallel, they are at least half a degree apart.
+//! - Numbers are rounded, and the cross product of two parallel vectors may come out as 0.0000001. So compare the sine of the
+//!   angle, ‖up × gaze‖ / (‖up‖·‖gaze‖), with a small number like 0.001. No input lies between: where up and gaze are not
+//!   parallel up to rounding, they are at least half a degree apart.
 //!
 //! glam: `cross`, `length`, `normalize`, `try_normalize` (an Option: `None` for a vector of length 0).
 
@@ -37,8 +37,8 @@ pub fn camera_frame(gaze: Vec3, up: Vec3) -> Option<Basis> {
 signature!((gaze: Vec3, up: Vec3) -> Option<Basis>);
 
 /// Whole numbers up to 5: a cross product of two such vectors that are not parallel has at least length 1, their lengths
-/// are at most 5·√3, so the sine of their angle is at least 1/75. Unit vectors are off by two roundings a coordinate, products and
-/// differences add as many: 6 · 2⁻²⁴ over 1/75 gives less than 3e-5 in a direction, and two directions are compared.
+/// are at most 5·√3, so the sine of their angle is at least 1/75. Unit vectors are off by two roundings a coordinate, products
+/// and differences add as many: 6 · 2⁻²⁴ over 1/75 gives less than 3e-5 in a direction, and two directions are compared.
 const TOLERANCE: f32 = 1e-4;
 
 pub(super) fn exercise() -> Exercise {
@@ -53,17 +53,17 @@ pub(super) fn exercise() -> Exercise {
         hints: [
             "The gaze alone fixes one of the three axes. Which one, and with which sign?",
             "up itself is usually not at right angles to the gaze. up × w is at right angles to both, but not of length 1.",
-            "Take w = −gaze.try_normalize()?, the cross product of up.try_normalize()? and w, return None where it is shorter than 0.001; \
-             else normalize it: u. Then v = w.cross(u) needs no normalizing any more.",
+            "Take w = −gaze.try_normalize()?, the cross product of up.try_normalize()? and w, return None where it is \
+             shorter than 0.001; else normalize it: u. Then v = w.cross(u) needs no normalizing any more.",
         ],
         examples: examples(),
         laws: laws(),
         reference: program!(slide),
         variants: vec![program!(gram_schmidt), program!(by_sine_in_double_precision)],
         misconceptions: misconceptions(),
-        explanation: "up only chooses among the turns about the line of sight: u is what is at right angles to both, and v is the part of up that is at \
-            right angles to the gaze. So a camera that looks straight along up has no frame, and one that looks almost so has \
-            a frame that turns wildly with every small movement.",
+        explanation: "up only chooses among the turns about the line of sight: u is what is at right angles to both, and v \
+            is the part of up that is at right angles to the gaze. So a camera that looks straight along up has no frame, \
+            and one that looks almost so has a frame that turns wildly with every small movement.",
         draw: drawing::nothing,
         source: include_str!("camera_frame.rs"),
     }
@@ -96,13 +96,15 @@ fn gaze_and_up() -> impl Strategy<Value = (Vec3, Vec3)> + Clone {
     (direction(), direction()).prop_filter("parallel", |(gaze, up)| gaze.cross(*up) != Vec3::ZERO)
 }
 
-/// Gaze and up that span no frame: one is zero, or both lie on one line. Two in three lie on one line.
+/// Gaze and up that span no frame: one is zero, or both lie on one line, which is so of three in four.
 fn no_frame() -> impl Strategy<Value = (Vec3, Vec3)> + Clone {
     let times = prop_oneof![Just(1.0_f32), Just(-1.0), Just(3.0), Just(-0.5)];
     prop_oneof![
         1 => direction().prop_map(|up| (Vec3::ZERO, up)),
         1 => direction().prop_map(|gaze| (gaze, Vec3::ZERO)),
-        4 => (direction(), times).prop_map(|(gaze, times)| (gaze, times * gaze)),
+        4 => (direction(), times.clone()).prop_map(|(gaze, times)| (gaze, times * gaze)),
+        // Parallel as well as rounded numbers can be: their cross product need not be exactly zero.
+        2 => (direction(), times).prop_map(|(gaze, times)| (gaze.normalize(), times * gaze)),
     ]
 }
 
@@ -118,7 +120,8 @@ fn laws() -> Vec<Law> {
             "unit_and_at_right_angles",
             2,
             "u, v and w have length 1 and stand at right angles to each other.",
-            "Lengths or angles are off: which of the vectors were never made to have length 1, and which never put at a right angle?",
+            "Lengths or angles are off: which of the vectors were never made to have length 1, and which never put at a \
+                right angle?",
         )
         .over(gaze_and_up(), |&(gaze, up), program| {
             let Basis { u, v, w } = some(program.ask(arguments![gaze, up])?)?;
@@ -154,8 +157,8 @@ fn laws() -> Vec<Law> {
             "up_is_up",
             2,
             "On the picture up points straight up: up·u = 0, and up·v > 0.",
-            "up leans sideways or hangs down on the picture: to which vectors must u be at right angles, and in which order does the cross \
-             product take them?",
+            "up leans sideways or hangs down on the picture: to which vectors must u be at right angles, and in which order \
+             does the cross product take them?",
         )
         .over(gaze_and_up(), |&(gaze, up), program| {
             let Basis { u, v, .. } = some(program.ask(arguments![gaze, up])?)?;
@@ -226,7 +229,8 @@ fn misconceptions() -> Vec<Misconception> {
         Misconception {
             program: program!(cross_product_exchanged),
             looks_like: "u is w × up, and points to the left",
-            help: "up × w points to the right; with the factors exchanged the sign changes, and the picture stands on its head.",
+            help: "up × w points to the right; with the factors exchanged the sign changes, and the picture stands on its \
+                head.",
         },
         Misconception {
             program: program!(left_handed),
@@ -246,7 +250,8 @@ fn misconceptions() -> Vec<Misconception> {
         Misconception {
             program: program!(compared_with_exactly_zero),
             looks_like: "the cross product is compared with exactly zero",
-            help: "After rounding, parallel vectors have a cross product that is tiny but not zero. Compare its length with a small number.",
+            help: "After rounding, parallel vectors have a cross product that is tiny but not zero. Compare its length with \
+                a small number.",
         },
     ]
 }

@@ -49,18 +49,21 @@ pub(super) fn exercise() -> Exercise {
         stub: STUB,
         signature: SIGNATURE,
         hints: [
-            "Two things happen, one after the other: the eye goes to the origin, the axes u, v, w go to x, y, z. Which must be first?",
-            "The matrix that acts first stands rightmost: R · T(−e). The rows of R are u, v, w, and glam builds a matrix from columns.",
-            "The rows of the product are (u, −u·e), (v, −v·e), (w, −w·e) and (0, 0, 0, 1), with dot products in the last column.",
+            "Two things happen, one after the other: the eye goes to the origin, the axes u, v, w go to x, y, z. Which must \
+                be first?",
+            "The matrix that acts first stands rightmost: R · T(−e). The rows of R are u, v, w, and glam builds a matrix \
+                from columns.",
+            "The rows of the product are (u, −u·e), (v, −v·e), (w, −w·e) and (0, 0, 0, 1), with dot products in the last \
+                column.",
         ],
         examples: examples(),
         laws: laws(),
         reference: program!(slide),
         variants: vec![program!(multiplied_out), program!(inverse_of_the_camera)],
         misconceptions: misconceptions(),
-        explanation: "The camera stands at the columns u, v, w, e: that matrix carries camera coordinates to the world, and ours is its inverse. The \
-            last column is not −e but (−u·e, −v·e, −w·e): minus the eye, as the camera's own axes measure it. M is rigid: it moves the \
-            world without bending it.",
+        explanation: "The camera stands at the columns u, v, w, e: that matrix carries camera coordinates to the world, and \
+            ours is its inverse. The last column is not −e but (−u·e, −v·e, −w·e): minus the eye, as the camera's own axes \
+            measure it. M is rigid: it moves the world without bending it.",
         draw: drawing::nothing,
         source: include_str!("camera_from_world.rs"),
     }
@@ -107,7 +110,8 @@ fn laws() -> Vec<Law> {
             "coordinates_along_the_axes",
             3,
             "The point e + a·u + b·v + c·w has camera coordinates (a, b, c).",
-            "A point comes out with other coordinates than it has along u, v, w from the eye. Are u, v, w rows or columns, and what acts first?",
+            "A point comes out with other coordinates than it has along u, v, w from the eye. Are u, v, w rows or columns, \
+                and what acts first?",
         )
         .over((point3(6), basis(), point3(6)), |&(eye, frame, p_camera), program| {
             let m: Mat4 = program.ask(arguments![eye, frame])?;
@@ -118,7 +122,8 @@ fn laws() -> Vec<Law> {
             "moving_together",
             2,
             "Where camera and point move together, nothing changes: M(e + s)·(p + s) = M(e)·p.",
-            "Moving camera and world together changed the picture: does the eye enter in world coordinates, before the axes are turned?",
+            "Moving camera and world together changed the picture: does the eye enter in world coordinates, before the axes \
+                are turned?",
         )
         .over((point3(3), basis(), point3(3), point3(3)), |&(eye, frame, p, shift), program| {
             let here: Mat4 = program.ask(arguments![eye, frame])?;
@@ -159,7 +164,8 @@ fn misconceptions() -> Vec<Misconception> {
         Misconception {
             program: program!(translated_last),
             looks_like: "the axes are turned first and the eye is subtracted after that",
-            help: "The eye is given in world coordinates, so it must be subtracted there: T(−e) acts first and stands on the right.",
+            help: "The eye is given in world coordinates, so it must be subtracted there: T(−e) acts first and stands on the \
+                right.",
         },
         Misconception {
             program: program!(columns_for_rows),

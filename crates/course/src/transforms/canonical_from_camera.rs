@@ -1,19 +1,18 @@
 //! How does what the eye sees become a cube? (L3 after L2, E1)
 
 use glam::{Mat4, Vec3, vec3};
-use proptest::prelude::*;
 use testkit::by_hand::share;
 use vocabulary::ViewVolume;
 use worker::{Plain, Value};
 
-use super::inputs::volume;
+use super::inputs::{two_shares, volume};
 use crate::exercise::{arguments, signature};
 use crate::law::that;
 use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
 
 const STUB: &str = r#"//! From the camera to the canonical cube (L2 and L3).
 //!
-//! Give the 4×4 matrix that carries the viewing volume, a pyramid without its top, to the cube [−1, 1]³: S · C · P, where P is the
+//! Give the 4×4 matrix that carries the viewing volume, a pyramid without its top, to the cube [−1, 1]³: S · C · P. P is the
 //! perspective matrix (it makes the pyramid a box), C moves the middle of the box to the origin, S scales it:
 //!
 //!     2/(r−l)    0       0    0     1 0 0 −(l+r)/2     n 0  0    0
@@ -42,8 +41,8 @@ pub fn canonical_from_camera(volume: ViewVolume) -> Mat4 {
 signature!((volume: ViewVolume) -> Mat4);
 
 /// In x and y the sum of two terms below 2·|r|/(r−l) + |l+r|/(r−l) ≤ 28, l and r being at most 10 and r − l at least 1. In z
-/// the terms are below 2·(2|f|+|n|)/(n−f) ≤ 22, the worst being n = −3, f = −4. Eight roundings, 8 · 28 · 2⁻²⁴ ≈ 1.4e-5; other orders
-/// of the same products get twice as much.
+/// the terms are below 2·(2|f|+|n|)/(n−f) ≤ 22, the worst being n = −3, f = −4. Eight roundings, 8 · 28 · 2⁻²⁴ ≈ 1.4e-5; other
+/// orders of the same products get twice as much.
 const TOLERANCE: f32 = 3e-5;
 
 pub(super) fn exercise() -> Exercise {
@@ -59,19 +58,21 @@ pub(super) fn exercise() -> Exercise {
         stub: STUB,
         signature: SIGNATURE,
         hints: [
-            "Three steps: the pyramid becomes a box over the window, the box moves to the origin, and is scaled to [−1, 1]³. What is the middle \
-             of [l, r], and how wide is it?",
-            "The point meets P first, so P stands rightmost: S · C · P. S after C: once the middle is the origin, half the width \
-             r − l must become 1.",
-            "Mat4::from_scale(vec3(2/(r−l), 2/(t−b), 2/(n−f))) · Mat4::from_translation(−½ vec3(l+r, b+t, n+f)) · P, with the P of the exercise before.",
+            "Three steps: the pyramid becomes a box over the window, the box moves to the origin, and is scaled to [−1, 1]³. \
+             What is the middle of [l, r], and how wide is it?",
+            "The point meets P first, so P stands rightmost: S · C · P. S after C: once the middle is the origin, half the \
+             width r − l must become 1.",
+            "Mat4::from_scale(vec3(2/(r−l), 2/(t−b), 2/(n−f))) · Mat4::from_translation(−½ vec3(l+r, b+t, n+f)) · P, with \
+                the P of the exercise before.",
         ],
         examples: examples(),
         laws: laws(),
         reference: program!(slide),
         variants: vec![program!(multiplied_out), program!(negated_for_clipping)],
         misconceptions: misconceptions(),
-        explanation: "After this every volume looks the same: visible is what lies between −1 and 1 in all three coordinates. Here near is +1, so \
-            larger z is nearer; OpenGL has near at −1 and w > 0, and its matrix is diag(−1, −1, 1, −1) times this one (E2).",
+        explanation: "After this every volume looks the same: visible is what lies between −1 and 1 in all three \
+            coordinates. Here near is +1, so larger z is nearer; OpenGL has near at −1 and w > 0, and its matrix is diag(−1, \
+            −1, 1, −1) times this one (E2).",
         draw: drawing::nothing,
         source: include_str!("canonical_from_camera.rs"),
     }
@@ -126,18 +127,14 @@ fn pushed(volume: &ViewVolume, on_window: Vec3, share: f32) -> Vec3 {
     on_window * (1.0 + share * (volume.far / volume.near - 1.0))
 }
 
-/// Two different shares, the smaller one first.
-fn two_shares() -> impl Strategy<Value = (f32, f32)> + Clone {
-    (0..8, 1..=8).prop_map(|(at, step): (i32, i32)| (at as f32 / 8.0, (at + step).min(8) as f32 / 8.0))
-}
-
 fn laws() -> Vec<Law> {
     vec![
         Law::of(
             "the_window_becomes_the_front",
             3,
             "The window [l, r] × [b, t] on the near plane becomes [−1, 1] × [−1, 1] at z = +1, evenly.",
-            "A point of the window lands elsewhere on the front of the cube: take a corner of the window through all three steps by hand.",
+            "A point of the window lands elsewhere on the front of the cube: take a corner of the window through all three \
+                steps by hand.",
         )
         .over((volume(), share(), share()), |&(volume, across, upwards), program| {
             let m: Mat4 = program.ask(arguments![volume])?;
@@ -159,7 +156,8 @@ fn laws() -> Vec<Law> {
             "rays_become_parallel",
             2,
             "Points on one ray from the eye have images with the same x and y.",
-            "Two points that the eye sees in the same direction land on different places: is the perspective in the product, and does it act first?",
+            "Two points that the eye sees in the same direction land on different places: is the perspective in the product, \
+                and does it act first?",
         )
         .over((volume(), share(), share(), share()), |&(volume, across, upwards, share), program| {
             let m: Mat4 = program.ask(arguments![volume])?;
@@ -237,7 +235,8 @@ fn misconceptions() -> Vec<Misconception> {
         Misconception {
             program: program!(factors_in_reading_order),
             looks_like: "the factors stand in the order in which they happen",
-            help: "The slide prints the stages in the order of time (E1). With column vectors what acts first stands rightmost: S · C · P.",
+            help: "The slide prints the stages in the order of time (E1). With column vectors what acts first stands \
+                rightmost: S · C · P.",
         },
         Misconception {
             program: program!(scaled_before_centred),

@@ -47,9 +47,10 @@ pub(super) fn exercise() -> Exercise {
         stub: STUB,
         signature: SIGNATURE,
         hints: [
-            "Go by way of x, y, z: which matrix carries u, v, w of `from` to x, y, z, and which one carries x, y, z to those of `to`?",
-            "R with the rows u, v, w carries u, v, w to x, y, z: each row is a dot product with one axis. Its transpose has the axes as \
-             columns and goes the other way.",
+            "Go by way of x, y, z: which matrix carries u, v, w of `from` to x, y, z, and which one carries x, y, z to those \
+                of `to`?",
+            "R with the rows u, v, w carries u, v, w to x, y, z: each row is a dot product with one axis. Its transpose has \
+             the axes as columns and goes the other way.",
             "First R of `from`, then the transpose of R of `to`. What acts first stands rightmost. Then \
              complete the 3×3 matrix with (0, 0, 0, 1).",
         ],
@@ -58,9 +59,9 @@ pub(super) fn exercise() -> Exercise {
         reference: program!(slide),
         variants: vec![program!(sum_over_the_axes), program!(by_inverting)],
         misconceptions: misconceptions(),
-        explanation: "Transpose of R(to) times R(from): take the coordinates along the old axes, spend them along the new ones. Both bases are \
-            right-handed here, so M is a rotation; were one of them left-handed, the same formula would give a mirror, with \
-            determinant -1 (E15).",
+        explanation: "Transpose of R(to) times R(from): take the coordinates along the old axes, spend them along the new \
+            ones. Both bases are right-handed here, so M is a rotation; were one of them left-handed, the same formula would \
+            give a mirror, with determinant -1 (E15).",
         draw: drawing::nothing,
         source: include_str!("change_of_basis.rs"),
     }

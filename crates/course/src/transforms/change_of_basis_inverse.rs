@@ -48,7 +48,8 @@ pub(super) fn exercise() -> Exercise {
         signature: SIGNATURE,
         hints: [
             "Socks and shoes: what was put on last comes off first. What does that say about the inverse of a product A·B?",
-            "(A·B)⁻¹ = B⁻¹·A⁻¹. The rows of R are unit vectors at right angles: multiply R by its transpose and see what comes out.",
+            "(A·B)⁻¹ = B⁻¹·A⁻¹. The rows of R are unit vectors at right angles: multiply R by its transpose and see what \
+                comes out.",
             "The inverse of R is its transpose, and the transpose of a transpose is R: M⁻¹ = R(from)ᵀ · R(to).",
         ],
         examples: examples(),
@@ -56,8 +57,9 @@ pub(super) fn exercise() -> Exercise {
         reference: program!(slide),
         variants: vec![program!(entry_by_entry), program!(sum_over_the_axes), program!(by_inverting)],
         misconceptions: misconceptions(),
-        explanation: "R(from)ᵀ · R(to) is also the transpose of M, and also M with `from` and `to` exchanged: three ways to the same matrix, none of \
-            which needs a division. For a matrix whose columns are unit vectors at right angles, the inverse is always this cheap.",
+        explanation: "R(from)ᵀ · R(to) is also the transpose of M, and also M with `from` and `to` exchanged: three ways to \
+            the same matrix, none of which needs a division. For a matrix whose columns are unit vectors at right angles, \
+            the inverse is always this cheap.",
         draw: drawing::nothing,
         source: include_str!("change_of_basis_inverse.rs"),
     }
@@ -90,7 +92,8 @@ fn laws() -> Vec<Law> {
             "the_axes_return",
             3,
             "The axes of `to` return to those of `from`.",
-            "An axis of `to` ends elsewhere. Follow to.u by hand: where is it after the first factor, and where after the second?",
+            "An axis of `to` ends elsewhere. Follow to.u by hand: where is it after the first factor, and where after the \
+                second?",
         )
         .over((basis(), basis()), |&(from, to), program| {
             let m: Mat4 = program.ask(arguments![from, to])?;
@@ -114,7 +117,8 @@ fn laws() -> Vec<Law> {
             "right_hands_stay_right",
             2,
             "A right hand stays a right hand: M⁻¹(p × q) = M⁻¹p × M⁻¹q.",
-            "A right hand has become a left one, or a length has changed. A rotation does neither; what else did the inverse do?",
+            "A right hand has become a left one, or a length has changed. A rotation does neither; what else did the inverse \
+                do?",
         )
         .over((basis(), basis(), point3(3), point3(3)), |&(from, to, p, q), program| {
             let m: Mat4 = program.ask(arguments![from, to])?;

@@ -38,3 +38,13 @@ pub(super) fn volume() -> impl Strategy<Value = ViewVolume> + Clone {
 pub(super) fn screen() -> impl Strategy<Value = (u32, u32)> + Clone {
     (1..=16_u32, 1..=12_u32)
 }
+
+/// A screen and one of its pixels.
+pub(super) fn screen_and_pixel() -> impl Strategy<Value = ((u32, u32), (u32, u32))> + Clone {
+    screen().prop_flat_map(|(width, height)| (Just((width, height)), (0..width, 0..height)))
+}
+
+/// Two different shares, multiples of ⅛, the smaller one first.
+pub(super) fn two_shares() -> impl Strategy<Value = (f32, f32)> + Clone {
+    (0..8, 1..=8).prop_map(|(at, step): (i32, i32)| (at as f32 / 8.0, (at + step).min(8) as f32 / 8.0))
+}

@@ -1,11 +1,10 @@
 //! How does a pyramid become a box? By the perspective matrix (L2, E2).
 
 use glam::{Mat4, Vec3, vec3};
-use proptest::prelude::*;
 use testkit::by_hand::{point2, share};
 use worker::{Plain, Value};
 
-use super::inputs::near_and_far;
+use super::inputs::{near_and_far, two_shares};
 use crate::exercise::{arguments, signature};
 use crate::law::that;
 use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
@@ -52,8 +51,8 @@ pub(super) fn exercise() -> Exercise {
         signature: SIGNATURE,
         hints: [
             "A matrix cannot divide by z, but the division by w' follows anyway: which row makes w' equal to z?",
-            "x/z times n is the image on the near plane: the first two rows have n on the diagonal. Then z'/w' = (a·z + b)/z: find a \
-             and b so that z = n and z = f stay.",
+            "x/z times n is the image on the near plane: the first two rows have n on the diagonal. Then z'/w' = (a·z + \
+             b)/z: find a and b so that z = n and z = f stay.",
             "a·n + b = n² and a·f + b = f² give a = n + f and b = −f·n. n + f stands in the third column; −f·n in the fourth, \
              and the 1 of the last row in the third.",
         ],
@@ -62,9 +61,9 @@ pub(super) fn exercise() -> Exercise {
         reference: program!(slide),
         variants: vec![program!(divided_by_near), program!(negated), program!(from_two_conditions)],
         misconceptions: misconceptions(),
-        explanation: "n and f are negative here, and so is w' = z for all that is visible: whoever clips by −w ≤ x ≤ w needs w > 0 and so \
-            the negated matrix, which has the same images (E2). z'/w' = n + f − f·n/z: depth is squeezed towards the far plane, which is why \
-            a z-buffer's steps are coarse there.",
+        explanation: "n and f are negative here, and so is w' = z for all that is visible: whoever clips by −w ≤ x ≤ w needs \
+            w > 0 and so the negated matrix, which has the same images (E2). z'/w' = n + f − f·n/z: depth is squeezed \
+            towards the far plane, which is why a z-buffer's steps are coarse there.",
         draw: drawing::nothing,
         source: include_str!("perspective.rs"),
     }
@@ -100,14 +99,6 @@ fn examples() -> Vec<Example> {
     ]
 }
 
-/// Two different depths between the planes, as shares from near to far; the first is nearer.
-fn two_shares() -> impl Strategy<Value = (f32, f32)> + Clone {
-    (0..8, 1..=8).prop_map(|(at, step): (i32, i32)| {
-        let second = (at + step).min(8);
-        (at as f32 / 8.0, second as f32 / 8.0)
-    })
-}
-
 fn laws() -> Vec<Law> {
     vec![
         Law::of(
@@ -135,7 +126,8 @@ fn laws() -> Vec<Law> {
             "rays_become_parallel",
             2,
             "Points on one ray from the eye have images with the same x and y.",
-            "Two points that the eye sees in the same direction land on different places: what is w', and does it grow with the distance?",
+            "Two points that the eye sees in the same direction land on different places: what is w', and does it grow with \
+                the distance?",
         )
         .over((near_and_far(), point2(6), share()), |&((near, far), p, share), program| {
             let m: Mat4 = program.ask(arguments![near, far])?;
@@ -219,12 +211,14 @@ fn misconceptions() -> Vec<Misconception> {
         Misconception {
             program: program!(planes_taken_for_distances),
             looks_like: "near and far are made positive",
-            help: "n and f are coordinates, negative before the eye, and the slide's matrix wants them so. Nothing is to be negated.",
+            help: "n and f are coordinates, negative before the eye, and the slide's matrix wants them so. Nothing is to be \
+                negated.",
         },
         Misconception {
             program: program!(depth_lost),
             looks_like: "every depth becomes n",
-            help: "With n on the diagonal of the third row all points land on the view plane: the picture is right, but the order of depths is lost.",
+            help: "With n on the diagonal of the third row all points land on the view plane: the picture is right, but the \
+                order of depths is lost.",
         },
         Misconception {
             program: program!(nothing_divides),

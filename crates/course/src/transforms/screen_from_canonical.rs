@@ -4,7 +4,7 @@ use glam::{Mat4, Vec4, vec3};
 use proptest::prelude::*;
 use testkit::by_hand::share;
 
-use super::inputs::screen;
+use super::inputs::{screen, screen_and_pixel};
 use crate::exercise::{arguments, signature};
 use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
 
@@ -54,7 +54,8 @@ pub(super) fn exercise() -> Exercise {
         signature: SIGNATURE,
         hints: [
             "How wide is [−1, 1], and how wide is the screen in pixels? Where is the middle of the screen?",
-            "First scale: a width of 2 becomes n_x. The middle of [−1, 1] is 0, that of [−½, n_x−½] is (n_x−1)/2: then move by that.",
+            "First scale: a width of 2 becomes n_x. The middle of [−1, 1] is 0, that of [−½, n_x−½] is (n_x−1)/2: then move \
+                by that.",
             "Mat4::from_translation((n_x−1)/2, (n_y−1)/2, 0) · Mat4::from_scale(n_x/2, n_y/2, 1), all in f32.",
         ],
         examples: examples(),
@@ -62,9 +63,9 @@ pub(super) fn exercise() -> Exercise {
         reference: program!(slide),
         variants: vec![program!(column_by_column), program!(corner_by_corner)],
         misconceptions: misconceptions(),
-        explanation: "The half pixels come from the convention that a pixel's centre has whole coordinates: the screen's edge then lies half a pixel \
-            before the first centre. Where pixel corners have whole coordinates, as in many libraries, the translation is n_x/2. \
-            Mixing both shifts every picture by half a pixel.",
+        explanation: "The half pixels come from the convention that a pixel's centre has whole coordinates: the screen's \
+            edge then lies half a pixel before the first centre. Where pixel corners have whole coordinates, as in many \
+            libraries, the translation is n_x/2. Mixing both shifts every picture by half a pixel.",
         draw: drawing::nothing,
         source: include_str!("screen_from_canonical.rs"),
     }
@@ -89,11 +90,6 @@ fn examples() -> Vec<Example> {
     ]
 }
 
-/// A screen and one of its pixels.
-fn screen_and_pixel() -> impl Strategy<Value = ((u32, u32), (u32, u32))> + Clone {
-    screen().prop_flat_map(|(width, height)| (Just((width, height)), (0..width, 0..height)))
-}
-
 /// A canonical coordinate, a multiple of ¼ in [−1, 1]; shrinks towards −1.
 fn canonical() -> impl Strategy<Value = f32> + Clone {
     share().prop_map(|share| 2.0 * share - 1.0)
@@ -105,7 +101,8 @@ fn laws() -> Vec<Law> {
             "corners_meet_corners",
             3,
             "The square's corners become the screen's: (−1, −1) goes to (−½, −½) and (1, 1) to (n_x−½, n_y−½).",
-            "A corner of the square misses the corner of the screen: where does a screen begin whose first pixel has its centre at 0?",
+            "A corner of the square misses the corner of the screen: where does a screen begin whose first pixel has its \
+                centre at 0?",
         )
         .over((screen(), canonical()), |&((width, height), z), program| {
             let m: Mat4 = program.ask(arguments![width, height])?;
@@ -185,12 +182,14 @@ fn misconceptions() -> Vec<Misconception> {
         Misconception {
             program: program!(half_a_pixel_off),
             looks_like: "the square goes to [0, n_x] × [0, n_y]",
-            help: "The first pixel's centre is 0, so the screen begins half a pixel before it: translate by (n_x−1)/2, not n_x/2.",
+            help: "The first pixel's centre is 0, so the screen begins half a pixel before it: translate by (n_x−1)/2, not \
+                n_x/2.",
         },
         Misconception {
             program: program!(centre_to_centre),
             looks_like: "the square goes to [0, n_x−1] × [0, n_y−1]",
-            help: "The square's edge is the edge of the first pixel, not its centre: n_x pixels are n_x wide, so scale by n_x/2.",
+            help: "The square's edge is the edge of the first pixel, not its centre: n_x pixels are n_x wide, so scale by \
+                n_x/2.",
         },
         Misconception {
             program: program!(downwards),
@@ -205,7 +204,8 @@ fn misconceptions() -> Vec<Misconception> {
         Misconception {
             program: program!(factors_in_reading_order),
             looks_like: "the middle is moved before the square is scaled",
-            help: "The rightmost matrix meets the point first: the scaling stands on the right, the translation, in pixels, on the left.",
+            help: "The rightmost matrix meets the point first: the scaling stands on the right, the translation, in pixels, \
+                on the left.",
         },
         Misconception {
             program: program!(depth_to_zero_and_one),

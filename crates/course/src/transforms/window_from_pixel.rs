@@ -1,10 +1,9 @@
 //! Where does the ray through a pixel cross the window? (L8, L9, E14)
 
 use glam::{Mat3, Vec2, mat3, vec2, vec3};
-use proptest::prelude::*;
 use vocabulary::ViewVolume;
 
-use super::inputs::{screen, volume};
+use super::inputs::{screen, screen_and_pixel, volume};
 use crate::exercise::{arguments, signature};
 use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
 
@@ -49,20 +48,21 @@ pub(super) fn exercise() -> Exercise {
         stub: STUB,
         signature: SIGNATURE,
         hints: [
-            "The screen begins at −½ and is n_x wide; the window begins at l and is r − l wide. What brings the screen's corner to the origin?",
-            "Move by (½, ½), scale a pixel to its width (r−l)/n_x and height (t−b)/n_y on the window, move by (l, b). What acts first \
-             stands rightmost.",
-            "Every translation has a 1 in the lower right corner; the slide's last one has a 0. Multiplied out, the last column \
-             is (l + ½(r−l)/n_x, b + ½(t−b)/n_y, 1).",
+            "The screen begins at −½ and is n_x wide; the window begins at l and is r − l wide. What brings the screen's \
+                corner to the origin?",
+            "Move by (½, ½), scale a pixel to its width (r−l)/n_x and height (t−b)/n_y on the window, move by (l, b). What \
+             acts first stands rightmost.",
+            "Every translation has a 1 in the lower right corner; the slide's last one has a 0. Multiplied out, the last \
+             column is (l + ½(r−l)/n_x, b + ½(t−b)/n_y, 1).",
         ],
         examples: examples(),
         laws: laws(),
         reference: program!(slide),
         variants: vec![program!(multiplied_out), program!(from_two_corners)],
         misconceptions: misconceptions(),
-        explanation: "Every pixel gets a cell of the window, and its ray goes through the middle of the cell. The rasterizer goes the other way, \
-            from the window through [−1, 1] to the screen: the two matrices undo each other up to that range, which is why ray tracer and \
-            z-buffer can make the same picture.",
+        explanation: "Every pixel gets a cell of the window, and its ray goes through the middle of the cell. The rasterizer \
+            goes the other way, from the window through [−1, 1] to the screen: the two matrices undo each other up to that \
+            range, which is why ray tracer and z-buffer can make the same picture.",
         draw: drawing::nothing,
         source: include_str!("window_from_pixel.rs"),
     }
@@ -85,11 +85,6 @@ fn examples() -> Vec<Example> {
             TOLERANCE,
         ),
     ]
-}
-
-/// A screen and one of its pixels.
-fn screen_and_pixel() -> impl Strategy<Value = ((u32, u32), (u32, u32))> + Clone {
-    screen().prop_flat_map(|(width, height)| (Just((width, height)), (0..width, 0..height)))
 }
 
 /// Where a point of the screen lands, after division by the third coordinate.
@@ -134,7 +129,8 @@ fn laws() -> Vec<Law> {
             "opposite_pixels_balance",
             2,
             "Pixel (i, j) and the one opposite, (n_x−1−i, n_y−1−j), lie on opposite sides of the window's middle.",
-            "The pixels are not spread evenly about the middle of the window: is the half pixel added, and before or after scaling?",
+            "The pixels are not spread evenly about the middle of the window: is the half pixel added, and before or after \
+                scaling?",
         )
         .over((volume(), screen_and_pixel()), |&(volume, ((width, height), (i, j))), program| {
             let m: Mat3 = program.ask(arguments![volume, width, height])?;
@@ -205,7 +201,8 @@ fn misconceptions() -> Vec<Misconception> {
         Misconception {
             program: program!(factors_in_reading_order),
             looks_like: "the factors stand in the order in which they happen",
-            help: "The rightmost matrix meets the pixel first: translate(½, ½) stands on the right, translate(l, b) on the left.",
+            help: "The rightmost matrix meets the pixel first: translate(½, ½) stands on the right, translate(l, b) on the \
+                left.",
         },
         Misconception {
             program: program!(spread_to_the_edges),
