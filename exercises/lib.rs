@@ -4,3 +4,13 @@
 pub mod transforms {
     pub mod rotate_about_point;
 }
+
+/// Which polygon does a pixel show?
+pub mod zbuffer {
+    pub mod barycentric;
+    pub mod covers;
+    pub mod depth_at;
+    pub mod painters_order;
+    pub mod rasterize;
+    pub mod zbuffer;
+}
