@@ -12,5 +12,5 @@ pub mod zbuffer {
     pub mod depth_at;
     pub mod painters_order;
     pub mod rasterize;
-    pub mod zbuffer;
+    pub mod z_buffer_algorithm;
 }

@@ -11,9 +11,8 @@
 //! - Corners are multiples of ¼ and at most 18 away from 0, so that sums, differences and products of coordinates are exact.
 //!
 //! glam: `a.min(b)` and `a.max(b)` take the lesser and the greater of each coordinate; `u.perp_dot(v)` is u.x · v.y − u.y · v.x.
-//! You may copy your `covers` into the function, as a closure.
+//! `glam::vec2(x, y)` is the point (x, y). You may copy your `covers` into the function, as a closure.
 
-use glam::Vec2;
 use vocabulary::{Pixel, Triangle2};
 
 pub fn rasterize(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {

@@ -6,7 +6,7 @@ mod depth_at;
 mod inputs;
 mod painters_order;
 mod rasterize;
-mod zbuffer;
+mod z_buffer_algorithm;
 
 use crate::Exercise;
 
@@ -17,7 +17,7 @@ pub(crate) fn exercises() -> Vec<Exercise> {
         covers::exercise(),
         depth_at::exercise(),
         rasterize::exercise(),
-        zbuffer::exercise(),
+        z_buffer_algorithm::exercise(),
         painters_order::exercise(),
     ]
 }

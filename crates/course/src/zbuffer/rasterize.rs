@@ -24,9 +24,8 @@ const STUB: &str = r#"//! The pixels of a triangle (L16, E10).
 //! - Corners are multiples of ¼ and at most 18 away from 0, so that sums, differences and products of coordinates are exact.
 //!
 //! glam: `a.min(b)` and `a.max(b)` take the lesser and the greater of each coordinate; `u.perp_dot(v)` is u.x · v.y − u.y · v.x.
-//! You may copy your `covers` into the function, as a closure.
+//! `glam::vec2(x, y)` is the point (x, y). You may copy your `covers` into the function, as a closure.
 
-use glam::Vec2;
 use vocabulary::{Pixel, Triangle2};
 
 pub fn rasterize(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
@@ -49,7 +48,7 @@ pub(super) fn exercise() -> Exercise {
             "You can already say whether a triangle covers a sample. Which samples are there to ask about?",
             "Two loops, over j from 0 and over i from 0, and the test of `covers` at the point (i, j). Only then make it faster: samples \
                 outside the box around the corners need no test.",
-            "for j in 0..height { for i in 0..width { if covers(triangle, Vec2::new(i as f32, j as f32)) { push Pixel { i, j } } } }",
+            "for j in 0..height { for i in 0..width { if covers(triangle, vec2(i as f32, j as f32)) { push Pixel { i, j } } } }",
         ],
         examples: examples(),
         laws: laws(),
@@ -301,7 +300,7 @@ fn within_the_box(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
     let Triangle2 { a, b, c } = triangle;
     let clockwise = (b - a).perp_dot(c - a) < 0.0;
     let (b, c) = if clockwise { (c, b) } else { (b, c) };
-    let covers = |p: Vec2| {
+    let covers = |p: glam::Vec2| {
         [(a, b), (b, c), (c, a)].into_iter().all(|(from, to)| {
             let along = to - from;
             let edge = along.perp_dot(p - from);
@@ -311,11 +310,11 @@ fn within_the_box(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
     };
     // The samples of the box around the corners; `as` makes a negative number 0.
     let low = a.min(b).min(c).ceil();
-    let high = a.max(b).max(c).floor() + Vec2::ONE;
+    let high = a.max(b).max(c).floor() + glam::Vec2::ONE;
     let mut pixels = Vec::new();
     for j in low.y as u32..(high.y as u32).min(height) {
         for i in low.x as u32..(high.x as u32).min(width) {
-            if covers(Vec2::new(i as f32, j as f32)) {
+            if covers(glam::vec2(i as f32, j as f32)) {
                 pixels.push(Pixel { i, j });
             }
         }
@@ -326,7 +325,7 @@ fn within_the_box(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
 fn over_the_whole_screen(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
     // Each sample a hair to the right and a much finer one down: then none lies on a side, and both windings read alike.
     let nudge = glam::dvec2(2.0_f64.powi(-16), -(2.0_f64.powi(-32)));
-    let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(Vec2::as_dvec2);
+    let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(glam::Vec2::as_dvec2);
     let mut pixels = Vec::new();
     for i in (0..width).rev() {
         for j in 0..height {
@@ -416,7 +415,7 @@ fn samples_at_halves(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel>
     let Triangle2 { a, b, c } = triangle;
     let clockwise = (b - a).perp_dot(c - a) < 0.0;
     let (b, c) = if clockwise { (c, b) } else { (b, c) };
-    let covers = |p: Vec2| {
+    let covers = |p: glam::Vec2| {
         [(a, b), (b, c), (c, a)].into_iter().all(|(from, to)| {
             let along = to - from;
             let edge = along.perp_dot(p - from);
@@ -427,7 +426,7 @@ fn samples_at_halves(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel>
     let mut pixels = Vec::new();
     for j in 0..height {
         for i in 0..width {
-            if covers(Vec2::new(i as f32 + 0.5, j as f32 + 0.5)) {
+            if covers(glam::vec2(i as f32 + 0.5, j as f32 + 0.5)) {
                 pixels.push(Pixel { i, j });
             }
         }
@@ -438,7 +437,7 @@ fn samples_at_halves(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel>
 fn the_whole_box(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
     let Triangle2 { a, b, c } = triangle;
     let low = a.min(b).min(c).ceil();
-    let high = a.max(b).max(c).floor() + Vec2::ONE;
+    let high = a.max(b).max(c).floor() + glam::Vec2::ONE;
     let columns = low.x as u32..(high.x as u32).min(width);
     let rows = low.y as u32..(high.y as u32).min(height);
     rows.flat_map(|j| columns.clone().map(move |i| Pixel { i, j })).collect()
@@ -448,14 +447,14 @@ fn no_side(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
     let Triangle2 { a, b, c } = triangle;
     let clockwise = (b - a).perp_dot(c - a) < 0.0;
     let (b, c) = if clockwise { (c, b) } else { (b, c) };
-    let covers = |p: Vec2| {
+    let covers = |p: glam::Vec2| {
         let edges = [(b - a).perp_dot(p - a), (c - b).perp_dot(p - b), (a - c).perp_dot(p - c)];
         edges.iter().all(|edge| *edge > 0.0)
     };
     let mut pixels = Vec::new();
     for j in 0..height {
         for i in 0..width {
-            if covers(Vec2::new(i as f32, j as f32)) {
+            if covers(glam::vec2(i as f32, j as f32)) {
                 pixels.push(Pixel { i, j });
             }
         }
@@ -467,14 +466,14 @@ fn every_side(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
     let Triangle2 { a, b, c } = triangle;
     let clockwise = (b - a).perp_dot(c - a) < 0.0;
     let (b, c) = if clockwise { (c, b) } else { (b, c) };
-    let covers = |p: Vec2| {
+    let covers = |p: glam::Vec2| {
         let edges = [(b - a).perp_dot(p - a), (c - b).perp_dot(p - b), (a - c).perp_dot(p - c)];
         edges.iter().all(|edge| *edge >= 0.0)
     };
     let mut pixels = Vec::new();
     for j in 0..height {
         for i in 0..width {
-            if covers(Vec2::new(i as f32, j as f32)) {
+            if covers(glam::vec2(i as f32, j as f32)) {
                 pixels.push(Pixel { i, j });
             }
         }
@@ -484,7 +483,7 @@ fn every_side(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
 
 fn only_anticlockwise(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
     let Triangle2 { a, b, c } = triangle;
-    let covers = |p: Vec2| {
+    let covers = |p: glam::Vec2| {
         [(a, b), (b, c), (c, a)].into_iter().all(|(from, to)| {
             let along = to - from;
             let edge = along.perp_dot(p - from);
@@ -495,7 +494,7 @@ fn only_anticlockwise(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel
     let mut pixels = Vec::new();
     for j in 0..height {
         for i in 0..width {
-            if covers(Vec2::new(i as f32, j as f32)) {
+            if covers(glam::vec2(i as f32, j as f32)) {
                 pixels.push(Pixel { i, j });
             }
         }
@@ -511,7 +510,7 @@ fn all_or_nothing(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
     }
     let clockwise = (b - a).perp_dot(c - a) < 0.0;
     let (b, c) = if clockwise { (c, b) } else { (b, c) };
-    let covers = |p: Vec2| {
+    let covers = |p: glam::Vec2| {
         [(a, b), (b, c), (c, a)].into_iter().all(|(from, to)| {
             let along = to - from;
             let edge = along.perp_dot(p - from);
@@ -522,7 +521,7 @@ fn all_or_nothing(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
     let mut pixels = Vec::new();
     for j in 0..height {
         for i in 0..width {
-            if covers(Vec2::new(i as f32, j as f32)) {
+            if covers(glam::vec2(i as f32, j as f32)) {
                 pixels.push(Pixel { i, j });
             }
         }
@@ -534,7 +533,7 @@ fn last_ones_missing(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel>
     let Triangle2 { a, b, c } = triangle;
     let clockwise = (b - a).perp_dot(c - a) < 0.0;
     let (b, c) = if clockwise { (c, b) } else { (b, c) };
-    let covers = |p: Vec2| {
+    let covers = |p: glam::Vec2| {
         [(a, b), (b, c), (c, a)].into_iter().all(|(from, to)| {
             let along = to - from;
             let edge = along.perp_dot(p - from);
@@ -547,7 +546,7 @@ fn last_ones_missing(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel>
     let mut pixels = Vec::new();
     for j in low.y as u32..(high.y as u32).min(height) {
         for i in low.x as u32..(high.x as u32).min(width) {
-            if covers(Vec2::new(i as f32, j as f32)) {
+            if covers(glam::vec2(i as f32, j as f32)) {
                 pixels.push(Pixel { i, j });
             }
         }
@@ -559,7 +558,7 @@ fn one_too_many(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
     let Triangle2 { a, b, c } = triangle;
     let clockwise = (b - a).perp_dot(c - a) < 0.0;
     let (b, c) = if clockwise { (c, b) } else { (b, c) };
-    let covers = |p: Vec2| {
+    let covers = |p: glam::Vec2| {
         [(a, b), (b, c), (c, a)].into_iter().all(|(from, to)| {
             let along = to - from;
             let edge = along.perp_dot(p - from);
@@ -570,7 +569,7 @@ fn one_too_many(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
     let mut pixels = Vec::new();
     for j in 0..=height {
         for i in 0..=width {
-            if covers(Vec2::new(i as f32, j as f32)) {
+            if covers(glam::vec2(i as f32, j as f32)) {
                 pixels.push(Pixel { i, j });
             }
         }
@@ -582,7 +581,7 @@ fn rows_from_the_top(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel>
     let Triangle2 { a, b, c } = triangle;
     let clockwise = (b - a).perp_dot(c - a) < 0.0;
     let (b, c) = if clockwise { (c, b) } else { (b, c) };
-    let covers = |p: Vec2| {
+    let covers = |p: glam::Vec2| {
         [(a, b), (b, c), (c, a)].into_iter().all(|(from, to)| {
             let along = to - from;
             let edge = along.perp_dot(p - from);
@@ -593,7 +592,7 @@ fn rows_from_the_top(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel>
     let mut pixels = Vec::new();
     for j in 0..height {
         for i in 0..width {
-            if covers(Vec2::new(i as f32, j as f32)) {
+            if covers(glam::vec2(i as f32, j as f32)) {
                 pixels.push(Pixel { i, j: height - 1 - j });
             }
         }

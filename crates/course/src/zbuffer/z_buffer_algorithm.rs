@@ -28,7 +28,7 @@ const STUB: &str = r#"//! The z-buffer algorithm (L16).
 use glam::Vec3;
 use vocabulary::{Buffers, Fragment};
 
-pub fn zbuffer(fragments: &[Fragment], background: Vec3, width: u32, height: u32) -> Buffers {
+pub fn z_buffer_algorithm(fragments: &[Fragment], background: Vec3, width: u32, height: u32) -> Buffers {
     todo!()
 }
 "#;
@@ -40,10 +40,10 @@ const EXACT: f32 = 0.0;
 
 pub(super) fn exercise() -> Exercise {
     Exercise {
-        name: "zbuffer",
+        name: "z_buffer_algorithm",
         concept: Concept::Zbuffer,
         items: "L16, L17, E16",
-        title: Title { english: "The z-buffer", dutch: "De z-buffer" },
+        title: Title { english: "The z-buffer algorithm", dutch: "Het z-bufferalgoritme" },
         prerequisites: &["depth_at", "rasterize"],
         stub: STUB,
         signature: SIGNATURE,
@@ -62,7 +62,7 @@ pub(super) fn exercise() -> Exercise {
             depths are equal the order of the polygons does not matter. Where two are equal it does, and with few bits many \
             become equal: z-fighting. What lies behind is forgotten, so something transparent cannot be mixed in later (L19).",
         draw: drawing::nothing,
-        source: include_str!("zbuffer.rs"),
+        source: include_str!("z_buffer_algorithm.rs"),
     }
 }
 
