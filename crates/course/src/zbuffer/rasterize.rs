@@ -128,8 +128,8 @@ fn depth_inside(t: Triangle2, pixel: Pixel) -> f32 {
 
 /// Demands the pixels that are `wanted`, no others and none twice.
 fn same_pixels(given: &[Pixel], wanted: impl Fn(Pixel) -> bool, width: u32, height: u32) -> Result<(), Stop> {
-    for Pixel { i, j } in given.iter().copied().filter(|pixel| !wanted(*pixel)) {
-        return that(false, || format!("pixel ({i}, {j}) should not be there"));
+    for Pixel { i, j } in given.iter().copied() {
+        that(wanted(Pixel { i, j }), || format!("pixel ({i}, {j}) should not be there"))?;
     }
     for pixel in samples(width, height).filter(|pixel| wanted(*pixel)) {
         let times = given.iter().filter(|other| **other == pixel).count();
