@@ -6,10 +6,12 @@
 #![forbid(unsafe_code)]
 
 mod geometry;
+mod raytrace;
 mod transforms;
 mod zbuffer;
 
 pub use geometry::{Barycentric, Ray, Sphere, Triangle, Triangle2};
+pub use raytrace::{Ball, Lamp, MirrorBall, TriangleHit};
 pub use transforms::{Basis, ViewVolume};
 pub use zbuffer::{Buffers, Fragment, Occlusion, Pixel};
 

@@ -12,7 +12,7 @@ const DEEPEST: u32 = 12;
 /// A value of an exercise: an argument, or what a function returned.
 ///
 /// `Display` writes it as a person would, `(1, 2, 3)` for a vector; floating-point numbers with as many digits as it takes to
-/// read them back exactly.
+/// read them back exactly, but for those near zero.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Value {
     /// Nothing there: `None`, or `()`.
@@ -136,11 +136,20 @@ impl fmt::Display for Value {
     }
 }
 
+/// Below this a number is written with two digits and its power of ten…
+const TINY: f32 = 1e-5;
+
+/// …and from here on with all digits and its power of ten.
+const HUGE: f32 = 1e9;
+
 /// Shortest digits that read back as the same number; without "-0", which nobody asked for.
 fn number(f: &mut fmt::Formatter<'_>, x: f32) -> fmt::Result {
     if x == 0.0 {
         f.write_str("0")
-    } else if x.is_finite() && !(1e-5..1e9).contains(&x.abs()) {
+    } else if x.abs() < TINY {
+        // What rounding leaves of a zero: its digits mean nothing.
+        write!(f, "{x:.1e}")
+    } else if x.is_finite() && x.abs() >= HUGE {
         write!(f, "{x:e}")
     } else {
         write!(f, "{x}")
