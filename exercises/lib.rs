@@ -18,3 +18,13 @@ pub mod raytrace {
     pub mod ray_triangle_system;
     pub mod viewing_ray;
 }
+
+/// Which polygon does a pixel show?
+pub mod zbuffer {
+    pub mod barycentric;
+    pub mod covers;
+    pub mod depth_at;
+    pub mod painters_order;
+    pub mod rasterize;
+    pub mod z_buffer_algorithm;
+}
