@@ -15,6 +15,10 @@ pub mod transforms {
 
 /// What does a ray meet, and what colour does it bring back?
 pub mod raytrace {
+    pub mod in_shadow;
+    pub mod nearest_hit;
+    pub mod ray_sphere;
+    pub mod ray_triangle;
     pub mod ray_triangle_system;
     pub mod viewing_ray;
 }
