@@ -4,3 +4,14 @@
 pub mod transforms {
     pub mod rotate_about_point;
 }
+
+/// How bright is a point of a surface?
+pub mod lighting {
+    pub mod ambient_and_diffuse;
+    pub mod blinn_phong;
+    pub mod halfway;
+    pub mod lambert;
+    pub mod light_all;
+    pub mod phong_highlight;
+    pub mod reflection;
+}

@@ -6,9 +6,11 @@
 #![forbid(unsafe_code)]
 
 mod geometry;
+mod lighting;
 mod transforms;
 
 pub use geometry::{Barycentric, Ray, Sphere, Triangle, Triangle2};
+pub use lighting::{Light, Material, SurfacePoint};
 pub use transforms::{Basis, ViewVolume};
 
 #[cfg(doctest)]

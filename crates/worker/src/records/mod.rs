@@ -1,6 +1,7 @@
 //! How do the structs of the vocabulary travel? By name, field after field: one line a struct.
 
 mod geometry;
+mod lighting;
 mod transforms;
 
 /// How a struct of the vocabulary, `Copy`, becomes a value and an argument.
