@@ -32,3 +32,14 @@ pub mod zbuffer {
     pub mod rasterize;
     pub mod z_buffer_algorithm;
 }
+
+/// How bright is a point of a surface?
+pub mod lighting {
+    pub mod ambient_and_diffuse;
+    pub mod blinn_phong;
+    pub mod halfway;
+    pub mod lambert;
+    pub mod light_all;
+    pub mod phong_highlight;
+    pub mod reflection;
+}

@@ -1,6 +1,7 @@
 //! How do the structs of the vocabulary travel? By name, field after field: one line a struct.
 
 mod geometry;
+mod lighting;
 mod raytrace;
 mod transforms;
 mod zbuffer;
