@@ -5,10 +5,11 @@ use testkit::by_hand::share;
 use vocabulary::ViewVolume;
 use worker::{Plain, Value};
 
+use super::drawing;
 use super::inputs::{two_shares, volume};
 use crate::exercise::{arguments, signature};
 use crate::law::that;
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! From the camera to the canonical cube (L2 and L3).
 //!
@@ -73,7 +74,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "After this every volume looks the same: visible is what lies between −1 and 1 in all three \
             coordinates. Here near is +1, so larger z is nearer; OpenGL has near at −1 and w > 0, and its matrix is diag(−1, \
             −1, 1, −1) times this one (E2).",
-        draw: drawing::nothing,
+        draw: drawing::cube_from_pyramid,
         source: include_str!("canonical_from_camera.rs"),
     }
 }

@@ -4,9 +4,10 @@ use glam::{Mat4, Vec4, vec3};
 use proptest::prelude::*;
 use testkit::by_hand::share;
 
+use super::drawing;
 use super::inputs::{screen, screen_and_pixel};
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! From the canonical cube to the screen: the viewport matrix (L4).
 //!
@@ -66,7 +67,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "The half pixels come from the convention that a pixel's centre has whole coordinates: the screen's \
             edge then lies half a pixel before the first centre. Where pixel corners have whole coordinates, as in many \
             libraries, the translation is n_x/2. Mixing both shifts every picture by half a pixel.",
-        draw: drawing::nothing,
+        draw: drawing::square_on_the_screen,
         source: include_str!("screen_from_canonical.rs"),
     }
 }
