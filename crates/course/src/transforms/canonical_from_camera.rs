@@ -41,10 +41,10 @@ pub fn canonical_from_camera(volume: ViewVolume) -> Mat4 {
 
 signature!((volume: ViewVolume) -> Mat4);
 
-/// In x and y the sum of two terms below 2·|r|/(r−l) + |l+r|/(r−l) ≤ 28, l and r being at most 10 and r − l at least 1. In z
-/// the terms are below 2·(2|f|+|n|)/(n−f) ≤ 22, the worst being n = −3, f = −4. Eight roundings, 8 · 28 · 2⁻²⁴ ≈ 1.4e-5; other
-/// orders of the same products get twice as much.
-const TOLERANCE: f32 = 3e-5;
+/// In x and y the sum of two terms below 2·|r|/(r−l) + |l+r|/(r−l) ≤ 11, the worst being l = 4, r = 6. In z the terms are below
+/// 2·(2|f|+|n|)/(n−f) ≤ 22, the worst being n = −3, f = −4. Eight roundings, 8 · 22 · 2⁻²⁴ ≈ 1.1e-5; other orders of the same
+/// products get twice as much.
+const TOLERANCE: f32 = 2.5e-5;
 
 pub(super) fn exercise() -> Exercise {
     Exercise {

@@ -26,7 +26,7 @@ const YOURS: Ink = Ink::A;
 const RIGHT: Ink = Ink::C;
 
 /// So many times as large as what is right may a given shape be; else it would make all the rest a dot.
-const LARGEST: f32 = 5.0;
+const LARGEST: f32 = 8.0;
 
 /// The given answer, if there is one of this type.
 fn given<T: Plain>(seen: &Seen<'_>) -> Option<T> {
@@ -80,11 +80,11 @@ impl Panel {
     }
 }
 
-/// The left and the right half of a sheet of this size, below its headings.
+/// The left and the right half of a sheet of this size, between headings and notes.
 fn halves(size: Vec2) -> [[Vec2; 2]; 2] {
     let top = size.y - 2.0 * LETTER;
-    let middle = size.x / 2.0;
-    [[Vec2::ZERO, vec2(middle, top)], [vec2(middle, 0.0), vec2(size.x, top)]]
+    let (middle, bottom) = (size.x / 2.0, 1.2 * LETTER);
+    [[vec2(0.0, bottom), vec2(middle, top)], [vec2(middle, bottom), vec2(size.x, top)]]
 }
 
 /// The points, unless one is not a number or lies so far off that the right ones could not be seen beside it.
@@ -121,4 +121,4 @@ fn note(sheet: &mut Sheet, left: f32, words: String) {
 }
 
 /// What stands where a given answer cannot be drawn.
-const NOT_SHOWN: &str = "yours is not a number somewhere, or lies far off";
+const NOT_SHOWN: &str = "yours is not a number, or lies far off";

@@ -23,7 +23,7 @@ const LETTER_F: [Vec2; 10] = [
 ];
 
 const SIZE: Vec2 = vec2(620.0, 460.0);
-const BELOW_THE_LEGEND: [Vec2; 2] = [vec2(0.0, 16.0), vec2(SIZE.x, SIZE.y - 34.0)];
+const BELOW_THE_LEGEND: [Vec2; 2] = [vec2(0.0, 28.0), vec2(SIZE.x, SIZE.y - 34.0)];
 
 /// A letter beside the centre p, turned about it.
 pub(crate) fn rotation(seen: &Seen<'_>) -> Option<Picture> {
@@ -75,7 +75,7 @@ fn carried(m: Mat3, points: &[Vec2]) -> Vec<Vec2> {
 
 /// Short axes x and y at the origin.
 fn axes(sheet: &mut Sheet, origin: Vec2) {
-    for (axis, name, side) in [(Vec2::X, "x", Side::Right), (Vec2::Y, "y", Side::Above)] {
+    for (axis, name, side) in [(Vec2::X, "x", Side::Right), (Vec2::Y, "y", Side::Left)] {
         let tip = origin + 46.0 * axis;
         sheet.arrow(origin, tip, Ink::Faint.pen());
         sheet.label(tip, side, name, Letters::Scalar, Ink::Faint);

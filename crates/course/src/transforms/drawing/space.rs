@@ -12,6 +12,9 @@ use crate::exercise::{Picture, Seen};
 
 const SIZE: Vec2 = vec2(760.0, 400.0);
 
+/// How long an arrow is on which a unit vector may lie: so much that both names can be read.
+const LONGER: f32 = 1.5;
+
 /// From where diagrams in space are seen.
 fn view() -> Option<View> {
     View::new(vec3(2.2, 2.6, 4.0), Vec3::ZERO).ok()
@@ -46,7 +49,7 @@ fn axes_and_images(
     let faint: Vec<Arrow> = names
         .into_iter()
         .zip([before.u, before.v, before.w])
-        .map(|(name, tip)| Arrow { name, tip, ink: Ink::Faint, dashed: true })
+        .map(|(name, tip)| Arrow { name, tip: LONGER * tip, ink: Ink::Faint, dashed: true })
         .collect();
     let mut sheet = two_frames(&faint, Some(right), yours, ["should arrive here", "yours"])?;
     let last_row = m.map_or(Vec4::W, |m| m.row(3));
@@ -63,8 +66,8 @@ pub(crate) fn camera_axes(seen: &Seen<'_>) -> Option<Picture> {
     let right: Option<Basis> = read(seen.right)?;
     let yours: Option<Basis> = given::<Option<Basis>>(seen).flatten();
     let directions = [
-        Arrow { name: "gaze", tip: 1.25 * gaze.normalize_or_zero(), ink: Ink::Main, dashed: false },
-        Arrow { name: "up", tip: 1.25 * up.normalize_or_zero(), ink: Ink::Main, dashed: true },
+        Arrow { name: "gaze", tip: LONGER * gaze.normalize_or_zero(), ink: Ink::Main, dashed: false },
+        Arrow { name: "up", tip: LONGER * up.normalize_or_zero(), ink: Ink::Main, dashed: true },
     ];
     let titles = [
         if right.is_some() { "the camera's frame" } else { "None: there is no frame" },
@@ -75,9 +78,11 @@ pub(crate) fn camera_axes(seen: &Seen<'_>) -> Option<Picture> {
     ];
     let mut sheet = two_frames(&directions, right, yours, titles)?;
     if let Some(Basis { u, v, w }) = yours {
-        let lengths = [u, v, w].map(|axis| decimal(axis.length(), 2));
-        let [u, v, w] = lengths;
-        note(&mut sheet, SIZE.x / 2.0, format!("lengths of u, v, w: {u}, {v}, {w}"));
+        let lengths = [u, v, w].map(Vec3::length);
+        if lengths.iter().any(|length| (length - 1.0).abs() > 1e-3) {
+            let [u, v, w] = lengths.map(|length| decimal(length, 2));
+            note(&mut sheet, SIZE.x / 2.0, format!("lengths of u, v, w: {u}, {v}, {w}"));
+        }
     }
     finished(sheet, "The gaze, up, and the camera's axes: as they should be at the left, yours at the right.")
 }
@@ -104,7 +109,7 @@ fn two_frames(
 ) -> Option<Sheet> {
     let view = view()?;
     // Room for every unit vector, wherever it points, so that both halves have one scale.
-    let around = [vec2(-1.3, -1.3), vec2(1.3, 1.3)];
+    let around = [Vec2::splat(-LONGER), Vec2::splat(LONGER)];
     let mut sheet = blank(SIZE);
     for (k, (frame, part)) in [right, yours].into_iter().zip(halves(SIZE)).enumerate() {
         let panel = Panel::showing(&around, part);
@@ -135,7 +140,8 @@ pub(crate) fn world_before_the_camera(seen: &Seen<'_>) -> Option<Picture> {
     let [eye, frame] = seen.arguments else { return None };
     let (eye, frame): (Vec3, Basis) = (read(eye)?, read(frame)?);
     let view = view()?;
-    let long = (eye.length() / 3.0).max(1.0);
+    // As large beside the eye's distance for a near eye as for a far one.
+    let long = if eye == Vec3::ZERO { 1.0 } else { 0.6 * eye.length() };
     let points = [eye, eye + long * frame.u, eye + long * frame.v, eye + long * frame.w, Vec3::ZERO];
     let images = |m: Mat4| points.map(|p| view.at(m.project_point3(p))).to_vec();
     let origin_and_axes = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z].map(|p| view.at(1.5 * long * p));

@@ -29,16 +29,17 @@ pub(crate) fn box_from_pyramid(seen: &Seen<'_>) -> Option<Picture> {
     let right = images(read(seen.right)?);
     let yours = given(seen).and_then(|m| near(images(m), &right));
 
-    let shown: Vec<Vec2> = right.iter().chain(yours.iter().flatten()).copied().collect();
+    let planes = [0.0, 1.0].map(|at| [vec2(at, -0.6), vec2(at, 0.6)]);
+    let shown: Vec<Vec2> =
+        right.iter().chain(yours.iter().flatten()).chain(planes.iter().flatten()).copied().collect();
     let mut sheet = blank(SIZE);
     let titles = ["five rays after P, from the side", "yours"];
     for (k, (grid, part)) in [Some(&right), yours.as_ref()].into_iter().zip(halves(SIZE)).enumerate() {
         let panel = Panel::showing(&shown, part);
         heading(&mut sheet, part[0].x, titles[k]);
-        for (at, name) in [(0.0, "z = n"), (1.0, "z = f")] {
-            let (low, high) = (panel.at(vec2(at, -0.6)), panel.at(vec2(at, 0.6)));
-            sheet.line(low, high, Ink::Faint.pen().dashed());
-            sheet.label(low, Side::Below, name, Letters::Scalar, Ink::Faint);
+        for ([low, high], name) in planes.iter().zip(["z = n", "z = f"]) {
+            sheet.line(panel.at(*low), panel.at(*high), Ink::Faint.pen().dashed());
+            sheet.label(panel.at(*low), Side::Below, name, Letters::Scalar, Ink::Faint);
         }
         if let Some(grid) = grid {
             rays_and_planes(&mut sheet, &panel.all_at(grid), [RIGHT, YOURS][k]);
@@ -67,8 +68,9 @@ fn rays_and_planes(sheet: &mut Sheet, grid: &[Vec2], ink: Ink) {
     for p in grid {
         sheet.speck(*p, ink);
     }
-    sheet.label(at(0, RAYS.len() - 1), Side::Above, "near", Letters::Plain, Ink::B);
-    sheet.label(at(DEPTHS.len() - 1, RAYS.len() - 1), Side::Above, "far", Letters::Plain, Ink::B);
+    let above = vec2(0.0, 14.0);
+    let [near, far] = [0, DEPTHS.len() - 1].map(|depth| at(depth, RAYS.len() - 1) + above);
+    sheet.names(&[(near, "near", Ink::B), (far, "far", Ink::B)]);
 }
 
 /// The corners of the viewing volume in the canonical cube.
