@@ -87,6 +87,13 @@ fn halves(size: Vec2) -> [[Vec2; 2]; 2] {
     [[vec2(0.0, bottom), vec2(middle, top)], [vec2(middle, bottom), vec2(size.x, top)]]
 }
 
+/// The upper and the lower half, each below its heading, with room for a note at the bottom.
+fn rows(size: Vec2) -> [[Vec2; 2]; 2] {
+    let (heading, bottom) = (2.0 * LETTER, 1.2 * LETTER);
+    let height = (size.y - bottom) / 2.0 - heading;
+    [bottom + height + heading, bottom].map(|low| [vec2(0.0, low), vec2(size.x, low + height)])
+}
+
 /// The points, unless one is not a number or lies so far off that the right ones could not be seen beside it.
 fn near(points: Vec<Vec2>, right: &[Vec2]) -> Option<Vec<Vec2>> {
     let least = right.iter().copied().fold(Vec2::INFINITY, Vec2::min);
@@ -96,9 +103,9 @@ fn near(points: Vec<Vec2>, right: &[Vec2]) -> Option<Vec<Vec2>> {
     points.iter().all(|p| p.is_finite() && p.distance(middle) <= most).then_some(points)
 }
 
-/// A heading over the part of a sheet from `left` on.
-fn heading(sheet: &mut Sheet, left: f32, words: &str) {
-    let place = sheet.place(left + 6.0, 1.1 * LETTER);
+/// A heading above a part of a sheet.
+fn heading(sheet: &mut Sheet, [lower_left, upper_right]: [Vec2; 2], words: &str) {
+    let place = vec2(lower_left.x + 6.0, upper_right.y + 0.9 * LETTER);
     sheet.label(place, Side::Right, words, Letters::Plain, Ink::Main);
 }
 

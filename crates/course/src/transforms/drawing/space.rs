@@ -124,7 +124,7 @@ fn two_frames(
             }
         }
         let missing = frame.is_some_and(|frame| frame.iter().any(|a| !a.tip.is_finite()));
-        heading(&mut sheet, part[0].x, titles[k]);
+        heading(&mut sheet, part, titles[k]);
         if missing {
             let place = vec2(part[0].x, part[1].y - LETTER);
             sheet.label(place, sheet::Side::Right, "not a number", sheet::Letters::Plain, Ink::A);
@@ -155,7 +155,7 @@ pub(crate) fn world_before_the_camera(seen: &Seen<'_>) -> Option<Picture> {
     let titles = ["in camera coordinates", "yours"];
     for (k, (points, part)) in [Some(&right), yours.as_ref()].into_iter().zip(halves(SIZE)).enumerate() {
         let panel = Panel::showing(&shown, part);
-        heading(&mut sheet, part[0].x, titles[k]);
+        heading(&mut sheet, part, titles[k]);
         let [origin, x, y, z] = origin_and_axes.map(|p| panel.at(p));
         let axis = |name, tip| Vector::new(name, tip, Ink::Faint).dashed();
         sheet.vectors(origin, &[axis("x", x), axis("y", y), axis("z", z)]);

@@ -1,14 +1,17 @@
-//! What becomes of the viewing volume? A box, a cube: as it should be at the left, yours at the right.
+//! What becomes of the viewing volume? A box, a cube: as it should be, and yours.
 
 use glam::{Mat4, Vec2, Vec3, vec2, vec3};
 use sheet::view::View;
 use sheet::{Ink, Letters, Sheet, Side};
 use vocabulary::ViewVolume;
 
-use super::{NOT_SHOWN, Panel, RIGHT, YOURS, blank, finished, given, halves, heading, near, note, read};
+use super::{
+    NOT_SHOWN, Panel, RIGHT, YOURS, blank, finished, given, halves, heading, near, note, read, rows,
+};
 use crate::exercise::{Picture, Seen};
 
 const SIZE: Vec2 = vec2(760.0, 380.0);
+const TALL: Vec2 = vec2(760.0, 520.0);
 
 /// Depths at which points are put on each ray, as shares from near to far.
 const DEPTHS: [f32; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -32,11 +35,12 @@ pub(crate) fn box_from_pyramid(seen: &Seen<'_>) -> Option<Picture> {
     let planes = [0.0, 1.0].map(|at| [vec2(at, -0.6), vec2(at, 0.6)]);
     let shown: Vec<Vec2> =
         right.iter().chain(yours.iter().flatten()).chain(planes.iter().flatten()).copied().collect();
-    let mut sheet = blank(SIZE);
+    // A wrong image usually lies to the left or to the right: there is most room in wide halves.
+    let mut sheet = blank(TALL);
     let titles = ["five rays after P, from the side", "yours"];
-    for (k, (grid, part)) in [Some(&right), yours.as_ref()].into_iter().zip(halves(SIZE)).enumerate() {
+    for (k, (grid, part)) in [Some(&right), yours.as_ref()].into_iter().zip(rows(TALL)).enumerate() {
         let panel = Panel::showing(&shown, part);
-        heading(&mut sheet, part[0].x, titles[k]);
+        heading(&mut sheet, part, titles[k]);
         for ([low, high], name) in planes.iter().zip(["z = n", "z = f"]) {
             sheet.line(panel.at(*low), panel.at(*high), Ink::Faint.pen().dashed());
             sheet.label(panel.at(*low), Side::Below, name, Letters::Scalar, Ink::Faint);
@@ -46,11 +50,11 @@ pub(crate) fn box_from_pyramid(seen: &Seen<'_>) -> Option<Picture> {
         }
     }
     if yours.is_none() {
-        note(&mut sheet, SIZE.x / 2.0, NOT_SHOWN.to_owned());
+        note(&mut sheet, 12.0, NOT_SHOWN.to_owned());
     }
     finished(
         sheet,
-        "Five rays of the viewing pyramid after the perspective matrix: parallel at the left, yours at the right.",
+        "Five rays of the viewing pyramid after the perspective matrix: parallel above, yours below.",
     )
 }
 
@@ -90,7 +94,7 @@ pub(crate) fn cube_from_pyramid(seen: &Seen<'_>) -> Option<Picture> {
     let titles = ["the volume becomes the cube", "yours"];
     for (k, (corners, part)) in [Some(&right), yours.as_ref()].into_iter().zip(halves(SIZE)).enumerate() {
         let panel = Panel::showing(&shown, part);
-        heading(&mut sheet, part[0].x, titles[k]);
+        heading(&mut sheet, part, titles[k]);
         wires(&mut sheet, &panel.all_at(&right), [Ink::Faint.pen().dashed(); 3]);
         let Some(corners) = corners else { continue };
         let corners = panel.all_at(corners);
