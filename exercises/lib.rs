@@ -15,6 +15,31 @@ pub mod transforms {
 
 /// What does a ray meet, and what colour does it bring back?
 pub mod raytrace {
+    pub mod in_shadow;
+    pub mod nearest_hit;
+    pub mod ray_sphere;
+    pub mod ray_triangle;
     pub mod ray_triangle_system;
     pub mod viewing_ray;
+}
+
+/// Which polygon does a pixel show?
+pub mod zbuffer {
+    pub mod barycentric;
+    pub mod covers;
+    pub mod depth_at;
+    pub mod painters_order;
+    pub mod rasterize;
+    pub mod z_buffer_algorithm;
+}
+
+/// How bright is a point of a surface?
+pub mod lighting {
+    pub mod ambient_and_diffuse;
+    pub mod blinn_phong;
+    pub mod halfway;
+    pub mod lambert;
+    pub mod light_all;
+    pub mod phong_highlight;
+    pub mod reflection;
 }

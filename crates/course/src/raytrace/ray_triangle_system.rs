@@ -1,11 +1,10 @@
 //! Three equations, one a coordinate, in β, γ and t (L50).
 
 use glam::{DMat3, DVec3, Mat3, Vec3, mat3, vec3};
-use proptest::prelude::*;
 use testkit::by_hand::coordinate;
 use vocabulary::{Ray, Triangle};
 
-use super::inputs::{blend, inside, outside, parallel, triangle_and_step};
+use super::inputs::{aimed, inside, outside, parallel};
 use crate::exercise::{arguments, signature};
 use crate::{Concept, Example, Exercise, Law, Misconception, Stop, Title, close, drawing, that};
 
@@ -120,16 +119,6 @@ fn is_singular(matrix: Mat3) -> bool {
     matrix.as_dmat3().determinant().abs() <= SINGULAR * volume
 }
 
-/// A ray that meets a triangle's plane at these weights, at t in steps of a quarter; behind its origin if t < 0. All is exact.
-fn aimed(
-    weights: impl Strategy<Value = [f32; 3]> + Clone,
-) -> impl Strategy<Value = (Ray, Triangle, [f32; 3], f32)> + Clone {
-    (triangle_and_step(), weights, coordinate(3)).prop_map(|((triangle, direction), weights, t)| {
-        let origin = blend(&triangle, weights) - t * direction;
-        (Ray { origin, direction }, triangle, weights, t)
-    })
-}
-
 fn laws() -> Vec<Law> {
     vec![
         Law::of(
@@ -138,7 +127,7 @@ fn laws() -> Vec<Law> {
             "For a ray aimed at the point with weights β and γ, to be there at t: (β, γ, t) solves the system.",
             "Put in known numbers: does every row give the same left and right? Look at signs, and at rows and columns.",
         )
-        .over(aimed(inside()), |&(ray, triangle, [_, beta, gamma], t), program| {
+        .over(aimed(inside(), coordinate(3)), |&(ray, triangle, [_, beta, gamma], t), program| {
             let system: (Mat3, Vec3) = program.ask(arguments![ray, triangle])?;
             close("the solution (β, γ, t)", solve(system)?, vec3(beta, gamma, t), TOLERANCE)
         }),
@@ -148,7 +137,7 @@ fn laws() -> Vec<Law> {
             "Outside the triangle too the solution names one point: e + t d = a + β(b − a) + γ(c − a).",
             "Solved for β, γ and t, ray and plane are at different points. Which term stands on which side?",
         )
-        .over(aimed(outside()), |&(ray, triangle, _, _), program| {
+        .over(aimed(outside(), coordinate(3)), |&(ray, triangle, _, _), program| {
             let system: (Mat3, Vec3) = program.ask(arguments![ray, triangle])?;
             let x = solve(system)?;
             let on_plane = triangle.a + x.x * (triangle.b - triangle.a) + x.y * (triangle.c - triangle.a);
@@ -161,7 +150,7 @@ fn laws() -> Vec<Law> {
             "With twice the direction, β and γ stay and t is half.",
             "t counts steps of the ray's direction. Does it stand in the matrix as it is, in the column of t?",
         )
-        .over(aimed(inside()), |&(ray, triangle, _, _), program| {
+        .over(aimed(inside(), coordinate(3)), |&(ray, triangle, _, _), program| {
             let slow: (Mat3, Vec3) = program.ask(arguments![ray, triangle])?;
             let twice = Ray { direction: 2.0 * ray.direction, ..ray };
             let fast: (Mat3, Vec3) = program.ask(arguments![twice, triangle])?;

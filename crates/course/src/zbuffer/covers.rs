@@ -25,7 +25,7 @@ const STUB: &str = r#"//! Does a triangle cover a sample? The top-left rule (E10
 //!
 //! - `triangle`: its corners on the screen, in pixels; clockwise or anticlockwise.
 //! - `p`: the sample.
-//! - All coordinates are multiples of 1/32 and at most 12, so that sums, differences and products of them are exact and "on the
+//! - All coordinates are multiples of 1/32 and at most 16, so that sums, differences and products of them are exact and "on the
 //!   side" is exactly 0. A quotient is rounded: do not divide.
 //!
 //! glam: `u.perp_dot(v)` is u.x · v.y − u.y · v.x: positive if v points to the left of u.
@@ -270,7 +270,7 @@ fn by_edge_functions(triangle: Triangle2, p: Vec2) -> bool {
 
 fn by_a_nudge(triangle: Triangle2, p: Vec2) -> bool {
     // A hair to the right, and a much finer one down: the sample then lies on no side. Coordinates are multiples of 1/32, so an
-    // edge function that is not 0 is at least 2⁻¹⁰, more than what 12 · 2⁻¹⁶ adds to it.
+    // edge function that is not 0 is at least 2⁻¹⁰, more than what 24 · 2⁻¹⁶ adds to it.
     let p = p.as_dvec2() + glam::dvec2(2.0_f64.powi(-16), -(2.0_f64.powi(-32)));
     let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(Vec2::as_dvec2);
     let edges = [(b - a).perp_dot(p - a), (c - b).perp_dot(p - b), (a - c).perp_dot(p - c)];

@@ -13,8 +13,8 @@ record!(Occlusion { behind, in_front });
 impl Plain for Buffers {
     fn into_value(self) -> Value {
         Value::Record(Record {
-            name: "Buffers".to_owned(),
-            fields: vec![("rgb".to_owned(), self.rgb.into_value()), ("z".to_owned(), self.z.into_value())],
+            name: "Buffers".into(),
+            fields: vec![("rgb".into(), self.rgb.into_value()), ("z".into(), self.z.into_value())],
         })
     }
 
