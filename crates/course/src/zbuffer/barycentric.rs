@@ -4,9 +4,10 @@ use glam::{Vec2, vec2};
 use testkit::by_hand::point2;
 use vocabulary::{Barycentric, Triangle2};
 
+use super::drawing;
 use super::inputs::{in_order, order, triangle, triangle_without_area};
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing, that};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, that};
 
 const STUB: &str = r#"//! Barycentric coordinates on the screen (L48).
 //!
@@ -63,7 +64,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "Each weight is a share of the area: α is the area of pbc through that of abc, signed. So α is 1 at a, 0 on the \
             whole side bc and negative beyond it: the three signs say whether p is inside, the three values mix whatever the \
             corners carry. Quotients of areas do not care which way round the corners run: both signs flip.",
-        draw: drawing::nothing,
+        draw: drawing::weights,
         source: include_str!("barycentric.rs"),
     }
 }

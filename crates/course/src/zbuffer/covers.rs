@@ -5,10 +5,11 @@ use proptest::prelude::*;
 use testkit::by_hand::{point2, weights};
 use vocabulary::Triangle2;
 
+use super::drawing;
 use super::inputs::{doubled_area, in_order, order, place_on_side, side, triangle, triangle_without_area};
 use crate::exercise::{arguments, signature};
 use crate::law::{Asker, Stop};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, drawing, that};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, that};
 
 const STUB: &str = r#"//! Does a triangle cover a sample? The top-left rule (E10).
 //!
@@ -67,7 +68,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "The rule is as if each sample were moved a hair to the right and a much finer hair down: then it lies on no side \
             at all, and in exactly one of the triangles that meet there. That is why a mesh has neither cracks nor samples drawn \
             twice. It needs exact arithmetic: hardware snaps corners to a grid and counts in whole numbers.",
-        draw: drawing::nothing,
+        draw: drawing::coverage,
         source: include_str!("covers.rs"),
     }
 }

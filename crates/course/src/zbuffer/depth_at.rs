@@ -5,9 +5,10 @@ use proptest::prelude::*;
 use testkit::by_hand::{coordinate, point2, share};
 use vocabulary::Triangle;
 
+use super::drawing;
 use super::inputs::{in_order, order, triangle};
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! The depth of a triangle at a point of the screen (L18, E9).
 //!
@@ -64,7 +65,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "After the projection a plane is still a plane, so on the screen its depth is affine: one step to the right always \
             adds the same. Hardware adds that step from pixel to pixel. The camera's own depth is not affine on the screen, and \
             neither are texture coordinates: for those 1/w is interpolated first (E9).",
-        draw: drawing::nothing,
+        draw: drawing::depths,
         source: include_str!("depth_at.rs"),
     }
 }

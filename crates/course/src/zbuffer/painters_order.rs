@@ -3,9 +3,10 @@
 use proptest::prelude::*;
 use vocabulary::Occlusion;
 
+use super::drawing;
 use crate::exercise::{arguments, signature};
 use crate::law::Stop;
-use crate::{Concept, Example, Exercise, Fault, Law, Misconception, Plain, Title, Value, drawing, that};
+use crate::{Concept, Example, Exercise, Fault, Law, Misconception, Plain, Title, Value, that};
 
 const STUB: &str = r#"//! The painter's order, from back to front (L13, L14).
 //!
@@ -51,7 +52,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "This is a topological order; a graph has one exactly if it has no cycle. Three polygons can already hide each \
             other in a ring, and then the painter must cut one of them. The z-buffer decides for each pixel instead, and in a \
             single pixel there is always a nearest polygon.",
-        draw: drawing::nothing,
+        draw: drawing::orders,
         source: include_str!("painters_order.rs"),
     }
 }

@@ -4,12 +4,13 @@ use glam::{Vec2, vec2};
 use proptest::prelude::*;
 use vocabulary::{Pixel, Triangle2};
 
+use super::drawing;
 use super::inputs::{
     doubled_area, in_order, order, pixels, triangle_about_the_screen, triangle_without_area,
 };
 use crate::exercise::{arguments, signature};
 use crate::law::{Asker, Stop};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, Value, drawing, that};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, Value, that};
 
 const STUB: &str = r#"//! The pixels of a triangle (L16, E10).
 //!
@@ -58,7 +59,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "A rasterizer asks one question for each sample, and by the top-left rule neighbours never both say yes. The box \
             around the corners saves most questions; from one sample to the next an edge function changes by a constant, so \
             hardware asks many at once with additions alone.",
-        draw: drawing::nothing,
+        draw: drawing::pixels,
         source: include_str!("rasterize.rs"),
     }
 }

@@ -5,9 +5,10 @@ use proptest::prelude::*;
 use testkit::by_hand::colour;
 use vocabulary::{Buffers, Fragment};
 
+use super::drawing;
 use crate::exercise::{arguments, signature};
 use crate::law::{Broken, Stop};
-use crate::{Concept, Example, Exercise, Law, Misconception, Plain, Title, close, drawing, that};
+use crate::{Concept, Example, Exercise, Law, Misconception, Plain, Title, close, that};
 
 const STUB: &str = r#"//! The z-buffer algorithm (L16).
 //!
@@ -61,7 +62,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "Nothing was sorted: the nearest of any number of polygons is found with one comparison a fragment, and where no two \
             depths are equal the order of the polygons does not matter. Where two are equal it does, and with few bits many \
             become equal: z-fighting. What lies behind is forgotten, so something transparent cannot be mixed in later (L19).",
-        draw: drawing::nothing,
+        draw: drawing::grids,
         source: include_str!("z_buffer_algorithm.rs"),
     }
 }
