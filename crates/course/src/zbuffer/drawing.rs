@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3, vec2};
 use sheet::text::decimal;
 use sheet::{Ink, Letters, Sheet, Side, Words};
-use vocabulary::{Barycentric, Buffers, Occlusion, Pixel, Triangle, Triangle2};
+use vocabulary::{Barycentric, Buffers, Fragment, Occlusion, Pixel, Triangle, Triangle2};
 
 use crate::exercise::{Picture, Seen, arguments};
 use crate::{Plain, Value};
@@ -101,6 +101,39 @@ fn named_corners(sheet: &mut Sheet, at: &dyn Fn(Vec2) -> Vec2, triangle: Triangl
     }
 }
 
+/// The square of a pixel.
+fn square(at: &dyn Fn(Vec2) -> Vec2, p: Vec2) -> [Vec2; 4] {
+    [vec2(-0.5, -0.5), vec2(0.5, -0.5), vec2(0.5, 0.5), vec2(-0.5, 0.5)].map(|corner| at(p + corner))
+}
+
+/// A ring that says: look here.
+fn ring(sheet: &mut Sheet, place: Vec2, pixels: f32, ink: Ink) {
+    let radius = sheet.units(pixels);
+    sheet.circle(place, radius, ink.pen());
+}
+
+/// What both functions answer for a triangle at each sample.
+fn at_samples<T: Plain>(seen: &Seen<'_>, rows: &[Vec<Vec2>]) -> Option<[Vec<Option<T>>; 2]> {
+    let triangle = seen.arguments.first()?;
+    let questions: Vec<Vec<Value>> =
+        rows.iter().flatten().map(|sample| arguments![triangle.clone(), *sample]).collect();
+    let read = |answer: Option<Value>| answer.and_then(T::from_value);
+    Some([seen.yours, seen.reference].map(|calls| {
+        let mut answers: Vec<Option<T>> = calls(&questions).into_iter().map(read).collect();
+        answers.resize_with(questions.len(), || None);
+        answers
+    }))
+}
+
+/// Grids of short words, one for each panel: `word(panel, number of the sample, sample)`.
+fn words(rows: &[Vec<Vec2>], word: impl Fn(usize, usize, Vec2) -> String) -> [Vec<Vec<String>>; 2] {
+    [0, 1].map(|panel| {
+        let mut number = 0..;
+        let mut cell = |p: &Vec2| word(panel, number.next().unwrap_or_default(), *p);
+        rows.iter().map(|row| row.iter().map(&mut cell).collect()).collect()
+    })
+}
+
 /// Grids of short words side by side, row after row from the top; `None` if they are too large for a terminal.
 fn side_by_side(grids: &[Vec<Vec<String>>; 2]) -> Option<String> {
     let cell = grids.iter().flatten().flatten().map(|word| word.chars().count()).max()?;
@@ -184,37 +217,29 @@ pub(super) fn coverage(seen: &Seen<'_>) -> Option<Picture> {
     });
     let (low, high) = around(&[triangle.a, triangle.b, triangle.c, p]);
     let rows = samples(low, high);
-    let questions: Vec<Vec<Value>> =
-        rows.iter().flatten().map(|sample| arguments![triangle, *sample]).collect();
-    let answers = [seen.yours, seen.reference].map(|calls| calls(&questions));
-    let covered =
-        |panel: usize, at: usize| answers[panel].get(at).and_then(|answer| read::<bool>(answer.as_ref()));
-    let mut panels = Panels::new(low, high, captions);
+    let covered = at_samples::<bool>(seen, &rows)?;
+    let mut panels = Panels::new(low - 0.25, high + 0.25, captions);
     panels.each(|sheet, at, panel| {
         outline(sheet, at, triangle);
         named_corners(sheet, at, triangle);
         for (k, sample) in rows.iter().flatten().enumerate() {
-            match covered(panel, k) {
+            match covered[panel][k] {
                 Some(true) => sheet.dot(at(*sample), Ink::B),
                 _ => sheet.speck(at(*sample), Ink::Faint),
             }
-            if covered(panel, k) != covered(1, k) {
-                let radius = sheet.units(9.0);
-                sheet.circle(at(*sample), radius, Ink::A.pen());
+            if covered[panel][k] != covered[1][k] {
+                ring(sheet, at(*sample), 9.0, Ink::A);
             }
         }
-        let ink = if read::<bool>(seen.given) == read(Some(seen.right)) { Ink::Main } else { Ink::A };
-        sheet.dot(at(p), ink);
+        let wrong = panel == 0 && read::<bool>(seen.given) != read(Some(seen.right));
+        let ink = if wrong { Ink::A } else { Ink::Main };
+        ring(sheet, at(p), 6.0, ink);
         sheet.label(at(p), Side::AboveRight, "p", Letters::Vector, ink);
     });
-    let columns = rows.first()?.len();
-    let grids = [0, 1].map(|panel| {
-        let word = |k: usize| match covered(panel, k) {
-            Some(true) => "#".to_owned(),
-            Some(false) => ".".to_owned(),
-            None => "?".to_owned(),
-        };
-        (0..rows.len()).map(|row| (0..columns).map(|i| word(row * columns + i)).collect()).collect()
+    let grids = words(&rows, |panel, k, _| match covered[panel][k] {
+        Some(true) => "#".to_owned(),
+        Some(false) => ".".to_owned(),
+        None => "?".to_owned(),
     });
     let alt = Words::new(
         "A triangle and the samples that it covers, as dots.",
@@ -235,12 +260,8 @@ pub(super) fn depths(seen: &Seen<'_>) -> Option<Picture> {
         Triangle2 { a: triangle.a.truncate(), b: triangle.b.truncate(), c: triangle.c.truncate() };
     let (low, high) = around(&[on_screen.a, on_screen.b, on_screen.c, p]);
     let rows = samples(low + 0.5, high - 0.5);
-    let questions: Vec<Vec<Value>> =
-        rows.iter().flatten().map(|sample| arguments![triangle, *sample]).collect();
-    let answers = [seen.yours, seen.reference].map(|calls| calls(&questions));
-    let depth =
-        |panel: usize, at: usize| answers[panel].get(at).and_then(|answer| read::<f32>(answer.as_ref()));
-    let alike = |at: usize| match (depth(0, at), depth(1, at)) {
+    let depth = at_samples::<f32>(seen, &rows)?;
+    let alike = |at: usize| match (depth[0][at], depth[1][at]) {
         (Some(yours), Some(right)) => (yours - right).abs() <= SAME * right.abs().max(1.0),
         _ => false,
     };
@@ -248,23 +269,30 @@ pub(super) fn depths(seen: &Seen<'_>) -> Option<Picture> {
     panels.each(|sheet, at, panel| {
         outline(sheet, at, on_screen);
         for (k, sample) in rows.iter().flatten().enumerate() {
-            let words = depth(panel, k).map_or("?".to_owned(), short);
+            let words = depth[panel][k].map_or("?".to_owned(), short);
             let ink = if panel == 1 || alike(k) { Ink::Main } else { Ink::A };
             sheet.label_sized(at(*sample), Side::Middle, words, Letters::Plain, ink, SMALL);
         }
-        for corner in [triangle.a, triangle.b, triangle.c] {
-            let words = format!("z = {}", short(corner.z));
-            sheet.speck(at(corner.truncate()), Ink::B);
-            sheet.label_sized(at(corner.truncate()), Side::Below, words, Letters::Scalar, Ink::B, SMALL);
-        }
-        sheet.dot(at(p), Ink::C);
-        sheet.label(at(p), Side::AboveRight, "p", Letters::Vector, Ink::C);
+        depths_of_corners(sheet, at, triangle);
+        ring(sheet, at(p), 16.0, Ink::C);
+        sheet.label(at(p) + sheet.units(10.0), Side::AboveRight, "p", Letters::Vector, Ink::C);
     });
     let alt = Words::new(
         "A triangle on the screen with the depth at every sample around it.",
         "Een driehoek op het scherm met de diepte in elk monsterpunt eromheen.",
     );
     panels.picture(alt, None)
+}
+
+fn depths_of_corners(sheet: &mut Sheet, at: &dyn Fn(Vec2) -> Vec2, triangle: Triangle) {
+    for corner in [triangle.a, triangle.b, triangle.c] {
+        let place = at(corner.truncate());
+        sheet.speck(place, Ink::B);
+        // Below the number of a sample that may stand in the corner.
+        let place = place - vec2(0.0, sheet.units(6.0));
+        let words = format!("z = {}", short(corner.z));
+        sheet.label_sized(place, Side::Below, words, Letters::Scalar, Ink::B, SMALL);
+    }
 }
 
 /// The screen with the pixels that a triangle owns.
@@ -287,8 +315,7 @@ pub(super) fn pixels(seen: &Seen<'_>) -> Option<Picture> {
     let mut panels = Panels::new(low, high, captions);
     panels.each(|sheet, at, panel| {
         for p in rows.iter().flatten() {
-            let square =
-                [vec2(-0.5, -0.5), vec2(0.5, -0.5), vec2(0.5, 0.5), vec2(-0.5, 0.5)].map(|d| at(*p + d));
+            let square = square(at, *p);
             if times(panel, *p) > 0 {
                 sheet.wash(&square, Ink::B);
             }
@@ -298,18 +325,14 @@ pub(super) fn pixels(seen: &Seen<'_>) -> Option<Picture> {
         for p in rows.iter().flatten() {
             sheet.speck(at(*p), Ink::Main);
             if times(panel, *p) != times(1, *p) {
-                let radius = sheet.units(9.0);
-                sheet.circle(at(*p), radius, Ink::A.pen());
+                ring(sheet, at(*p), 9.0, Ink::A);
             }
         }
     });
-    let grids = [0, 1].map(|panel| {
-        let word = |p: &Vec2| match times(panel, *p) {
-            0 => ".".to_owned(),
-            1 => "#".to_owned(),
-            times => times.to_string(),
-        };
-        rows.iter().map(|row| row.iter().map(word).collect()).collect()
+    let grids = words(&rows, |panel, _, p| match times(panel, p) {
+        0 => ".".to_owned(),
+        1 => "#".to_owned(),
+        times => times.to_string(),
     });
     let alt = Words::new(
         "A triangle over the pixels of the screen, those that it owns tinted; rings mark the differences.",
@@ -320,30 +343,26 @@ pub(super) fn pixels(seen: &Seen<'_>) -> Option<Picture> {
 
 /// The z-buffer as the slide prints it, with a letter and a tint for the colour in the rgb-buffer.
 pub(super) fn grids(seen: &Seen<'_>) -> Option<Picture> {
-    let fragments: Vec<vocabulary::Fragment> = read(seen.arguments.first())?;
+    let fragments: Vec<Fragment> = read(seen.arguments.first())?;
     let background: Vec3 = read(seen.arguments.get(1))?;
     let width: u32 = read(seen.arguments.get(2))?;
     let height: u32 = read(seen.arguments.get(3))?;
-    let mut colours: Vec<Vec3> = Vec::new();
-    for fragment in &fragments {
-        if fragment.colour != background && !colours.contains(&fragment.colour) {
-            colours.push(fragment.colour);
-        }
-    }
+    let colours = colours_of(&fragments, background);
     let answers = [seen.given, Some(seen.right)].map(read::<Buffers>);
     let cell = |panel: usize, p: Vec2| -> Option<(f32, Vec3)> {
         let buffers = answers[panel].as_ref()?;
         let (i, j) = (p.x as usize, p.y as usize);
         Some((*buffers.z.get(j)?.get(i)?, *buffers.rgb.get(j)?.get(i)?))
     };
-    let letter = |colour: Vec3| match colours.iter().position(|other| *other == colour) {
-        Some(at) => char::from(b'a' + (at % 26) as u8),
-        None if colour == background => '-',
-        None => '?',
-    };
     let word = |panel: usize, p: Vec2| {
-        cell(panel, p)
-            .map_or("?".to_owned(), |(z, colour)| format!("{}{}", depth_in_a_cell(z), letter(colour)))
+        cell(panel, p).map_or("?".to_owned(), |(z, colour)| {
+            let letter = match colours.iter().position(|other| *other == colour) {
+                Some(at) => char::from(b'a' + (at % 26) as u8),
+                None if colour == background => '-',
+                None => '?',
+            };
+            format!("{}{letter}", depth_in_a_cell(z))
+        })
     };
     let captions = answers.each_ref().map(|_| Words::new("depth and colour", "diepte en kleur"));
     let (low, high) = (Vec2::ZERO, vec2(width as f32 - 1.0, height as f32 - 1.0));
@@ -351,8 +370,7 @@ pub(super) fn grids(seen: &Seen<'_>) -> Option<Picture> {
     let mut panels = Panels::new(low - 0.75, high + 0.75, captions);
     panels.each(|sheet, at, panel| {
         for p in rows.iter().flatten() {
-            let square =
-                [vec2(-0.5, -0.5), vec2(0.5, -0.5), vec2(0.5, 0.5), vec2(-0.5, 0.5)].map(|d| at(*p + d));
+            let square = square(at, *p);
             let colour = cell(panel, *p).map(|(_, colour)| colour);
             if let Some(k) = colours.iter().position(|other| Some(*other) == colour) {
                 sheet.wash(&square, [Ink::A, Ink::B, Ink::C, Ink::D][k % 4]);
@@ -362,18 +380,27 @@ pub(super) fn grids(seen: &Seen<'_>) -> Option<Picture> {
             let ink = if differs { Ink::A } else { Ink::Main };
             sheet.label_sized(at(*p), Side::Middle, word(panel, *p), Letters::Plain, ink, 14.0);
             if differs {
-                let radius = sheet.units(18.0);
-                sheet.circle(at(*p), radius, Ink::A.pen());
+                ring(sheet, at(*p), 18.0, Ink::A);
             }
         }
     });
-    let grids =
-        [0, 1].map(|panel| rows.iter().map(|row| row.iter().map(|p| word(panel, *p)).collect()).collect());
+    let grids = words(&rows, |panel, _, p| word(panel, p));
     let alt = Words::new(
         "The z-buffer and a letter for each colour, the lowest row at the bottom; rings mark the differences.",
         "De z-buffer en een letter voor elke kleur, de laagste rij onderaan; ringen geven de verschillen aan.",
     );
     panels.picture(alt, side_by_side(&grids))
+}
+
+/// The colours of the fragments in the order in which they are drawn, each once, without the background's.
+fn colours_of(fragments: &[Fragment], background: Vec3) -> Vec<Vec3> {
+    let mut colours: Vec<Vec3> = Vec::new();
+    for fragment in fragments {
+        if fragment.colour != background && !colours.contains(&fragment.colour) {
+            colours.push(fragment.colour);
+        }
+    }
+    colours
 }
 
 /// Whole depths without decimals, as on the slide.
@@ -386,17 +413,7 @@ pub(super) fn orders(seen: &Seen<'_>) -> Option<Picture> {
     let count: usize = read(seen.arguments.first())?;
     let occlusions: Vec<Occlusion> = read(seen.arguments.get(1))?;
     let answers = [seen.given, Some(seen.right)].map(|answer| read::<Option<Vec<usize>>>(answer).flatten());
-    let captions = answers.each_ref().map(|order| match order {
-        Some(order) => {
-            // No right answer is longer than this.
-            let mut names: Vec<String> = order.iter().take(count + 1).map(ToString::to_string).collect();
-            if order.len() > count + 1 {
-                names.push("…".to_owned());
-            }
-            Words::from(format!("[{}]", names.join(", ")))
-        }
-        None => Words::from("None"),
-    });
+    let captions = answers.each_ref().map(|order| Words::from(written(order.as_deref(), count)));
     let at_ring = |k: usize| 1.8 * Vec2::from_angle(std::f32::consts::TAU * (0.25 - k as f32 / count as f32));
     let mut panels = Panels::new(Vec2::splat(-2.9), Vec2::splat(2.9), captions);
     panels.each(|sheet, at, panel| {
@@ -436,6 +453,16 @@ pub(super) fn orders(seen: &Seen<'_>) -> Option<Picture> {
     panels.picture(alt, None)
 }
 
+/// An order as it is written; no right one is longer than `count`.
+fn written(order: Option<&[usize]>, count: usize) -> String {
+    let Some(order) = order else { return "None".to_owned() };
+    let mut names: Vec<String> = order.iter().take(count + 1).map(ToString::to_string).collect();
+    if order.len() > count + 1 {
+        names.push("…".to_owned());
+    }
+    format!("[{}]", names.join(", "))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -470,8 +497,8 @@ mod tests {
     #[test]
     fn every_wrong_answer_to_an_example_is_drawn() {
         for exercise in crate::zbuffer::exercises() {
-            for (m, misconception) in exercise.misconceptions.iter().enumerate() {
-                for (e, example) in exercise.examples.iter().enumerate() {
+            for misconception in &exercise.misconceptions {
+                for example in &exercise.examples {
                     let Ok(Reply::Value(given)) =
                         InProcess(misconception.program.function).reply(&example.arguments)
                     else {
@@ -482,11 +509,6 @@ mod tests {
                         drawn(&exercise, &example.arguments, Some(&given), misconception.program.function);
                     let picture = picture.unwrap_or_else(|| panic!("{who}: no picture"));
                     sound(&picture, &who);
-                    if let Ok(folder) = std::env::var("SCRATCH") {
-                        std::fs::write(format!("{folder}/{}-{m}-{e}.svg", exercise.name), &picture.svg)
-                            .unwrap();
-                        println!("{who}\n{}", picture.text.unwrap_or_default());
-                    }
                 }
             }
         }
