@@ -3,6 +3,7 @@
 mod barycentric;
 mod covers;
 mod depth_at;
+mod drawing;
 mod inputs;
 mod painters_order;
 mod rasterize;
