@@ -2,7 +2,15 @@
 
 /// How does a point of the world find its pixel?
 pub mod transforms {
+    pub mod camera_frame;
+    pub mod camera_from_world;
+    pub mod canonical_from_camera;
+    pub mod change_of_basis;
+    pub mod change_of_basis_inverse;
+    pub mod perspective;
     pub mod rotate_about_point;
+    pub mod screen_from_canonical;
+    pub mod window_from_pixel;
 }
 
 /// What does a ray meet, and what colour does it bring back?
@@ -16,4 +24,25 @@ pub mod raytrace {
     pub mod ray_triangle_system;
     pub mod refract;
     pub mod viewing_ray;
+}
+
+/// Which polygon does a pixel show?
+pub mod zbuffer {
+    pub mod barycentric;
+    pub mod covers;
+    pub mod depth_at;
+    pub mod painters_order;
+    pub mod rasterize;
+    pub mod z_buffer_algorithm;
+}
+
+/// How bright is a point of a surface?
+pub mod lighting {
+    pub mod ambient_and_diffuse;
+    pub mod blinn_phong;
+    pub mod halfway;
+    pub mod lambert;
+    pub mod light_all;
+    pub mod phong_highlight;
+    pub mod reflection;
 }

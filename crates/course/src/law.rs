@@ -140,7 +140,8 @@ impl Asker<'_> {
     /// # Errors
     /// [`Stop`], to be passed on with `?`.
     pub fn ask<R: Plain>(&self, arguments: Vec<Value>) -> Result<R, Stop> {
-        let Some((_, reply)) = self.known.iter().find(|(asked, _)| same(asked, &arguments)) else {
+        let Some((_, reply)) = self.known.iter().find(|(asked, _)| worker::identical(asked, &arguments))
+        else {
             return Err(Stop::Pending(arguments));
         };
         match reply {
@@ -149,11 +150,6 @@ impl Asker<'_> {
             unanswered => Err(Stop::Unanswered(unanswered.clone())),
         }
     }
-}
-
-/// The same arguments to the bit: −0 is not 0 here, since a function may tell them apart.
-fn same(a: &[Value], b: &[Value]) -> bool {
-    format!("{a:?}") == format!("{b:?}")
 }
 
 /// Why a check ends before its end.

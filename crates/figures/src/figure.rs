@@ -3,52 +3,9 @@
 use std::error::Error;
 
 use canvas::Image;
+pub use sheet::{Text, Words};
 
 use crate::parameter::{Parameter, Values};
-
-/// Words in the two languages of the lecture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Text {
-    /// English.
-    pub en: &'static str,
-    /// Dutch.
-    pub nl: &'static str,
-}
-
-/// Words that are put together while drawing, numbers among them.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Words {
-    /// English.
-    pub en: String,
-    /// Dutch.
-    pub nl: String,
-}
-
-impl Words {
-    /// The same thing in English and in Dutch.
-    pub fn new(en: impl Into<String>, nl: impl Into<String>) -> Self {
-        Self { en: en.into(), nl: nl.into() }
-    }
-}
-
-impl From<Text> for Words {
-    fn from(text: Text) -> Self {
-        Self::new(text.en, text.nl)
-    }
-}
-
-impl From<&str> for Words {
-    /// A name or symbol that is the same in both languages.
-    fn from(symbol: &str) -> Self {
-        Self::new(symbol, symbol)
-    }
-}
-
-impl From<String> for Words {
-    fn from(symbol: String) -> Self {
-        Self::new(symbol.clone(), symbol)
-    }
-}
 
 /// A figure of the lecture, computed by the concept crates.
 #[derive(Debug)]
@@ -122,6 +79,12 @@ impl Drawing {
     /// A diagram or a plot, as SVG.
     pub fn diagram(name: impl Into<String>, alt: impl Into<Words>, svg: String) -> Self {
         Self { name: name.into(), alt: alt.into(), content: Content::Diagram(svg) }
+    }
+
+    /// The figure's only drawing, of lines: `svg` gives it, once it knows what to say to somebody who cannot see it.
+    pub(crate) fn only(alt: Words, svg: impl FnOnce(&Words) -> String) -> Self {
+        let svg = svg(&alt);
+        Self::diagram("", alt, svg)
     }
 
     /// The name of its file: `L31-exponent-strip.png`, `L37-flat-and-gouraud.gouraud.png`.

@@ -26,7 +26,6 @@ mod diagrams;
 mod on_screen;
 mod pictures;
 mod plots;
-mod sheet;
 
 pub use figure::{Content, Drawing, Drawn, Figure, Text, Words};
 pub use parameter::{Parameter, ParameterError, Values};

@@ -70,6 +70,22 @@ pub fn colour() -> impl Strategy<Value = Vec3> + Clone {
     (share(), share(), share()).prop_map(|(r, g, b)| vec3(r, g, b))
 }
 
+/// The colour of a light, which may be brighter than white: multiples of ¼ in [0, 3].
+pub fn light_colour() -> impl Strategy<Value = Vec3> + Clone {
+    (between(0, 3), between(0, 3), between(0, 3)).prop_map(|(r, g, b)| vec3(r, g, b))
+}
+
+/// A normal and a direction, unit vectors, on its side or on the other; never so nearly at right angles that rounding decides
+/// on which.
+pub fn normal_and_direction() -> impl Strategy<Value = (Vec3, Vec3)> + Clone {
+    (unit_vector(), unit_vector()).prop_filter("grazing", |(n, v)| n.dot(*v).abs() > 0.01)
+}
+
+/// A highlight's exponent p: whole and half numbers in [1, 32].
+pub fn exponent() -> impl Strategy<Value = f32> + Clone {
+    prop_oneof![(1..=8).prop_map(|p| p as f32), (2..=64).prop_map(|halves| halves as f32 / 2.0)]
+}
+
 /// The corners of a triangle in space, in the cube [−`extent`, `extent`]³, with an area.
 pub fn corners(extent: i32) -> impl Strategy<Value = [Vec3; 3]> + Clone {
     (point3(extent), point3(extent), point3(extent))

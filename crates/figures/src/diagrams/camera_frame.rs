@@ -1,14 +1,14 @@
 //! Which way do the camera's own axes point? (L6, Fig 4.8)
 
 use glam::{Vec2, Vec3, vec2, vec3};
+use sheet::crowd::Vector;
+use sheet::text::triple;
+use sheet::view::View;
+use sheet::{Ink, Sheet};
 use transforms::Basis;
 
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::crowd::Vector;
-use crate::sheet::text::triple;
-use crate::sheet::view::View;
-use crate::sheet::{Ink, Sheet};
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["L6"],
@@ -75,7 +75,7 @@ fn draw(values: &Values) -> Drawn {
         format!("Five arrows from the eye: the view direction, up, and the frame u = {u}, v = {v}, w = {w}."),
         format!("Vijf pijlen vanuit het oog: de kijkrichting, up, en het frame u = {u}, v = {v}, w = {w}."),
     );
-    Ok(vec![sheet.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
 }
 
 /// The unit vector along −z, raised by `elevation` and then turned about y by `azimuth`, both in degrees.

@@ -2,13 +2,13 @@
 
 use glam::{Vec2, vec2};
 use lighting::lambert;
+use sheet::crowd::Vector;
+use sheet::text::{decimal, degrees};
+use sheet::{Ink, Letters, Side};
 
 use super::slice::{N, WORDS, direction, sheet, tip};
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::crowd::Vector;
-use crate::sheet::text::{decimal, degrees};
-use crate::sheet::{Ink, Letters, Side};
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["L27"],
@@ -62,5 +62,5 @@ fn draw(values: &Values) -> Drawn {
             "Het licht staat {theta:.1}° van de normaal, onder het oppervlak: n·l is {product}, max(0, n·l) is {share}."
         ),
     );
-    Ok(vec![sheet.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
 }

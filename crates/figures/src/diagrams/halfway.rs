@@ -2,13 +2,13 @@
 
 use glam::{Vec2, Vec3};
 use lighting::{blinn_highlight, halfway, phong_highlight, reflect};
+use sheet::crowd::Vector;
+use sheet::text::{decimal, degrees};
+use sheet::{Ink, Sheet};
 
 use super::slice::{self, N, WORDS, direction, sheet, tip};
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::crowd::Vector;
-use crate::sheet::text::{decimal, degrees};
-use crate::sheet::{Ink, Sheet};
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["L33", "L34", "E4"],
@@ -60,7 +60,7 @@ fn draw(values: &Values) -> Drawn {
             "De halfway vector h staat {omega:.1}° van de normaal, het oog {sigma:.1}° van de terugkaatsrichting."
         ),
     );
-    Ok(vec![sheet.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
 }
 
 /// The two angles, and what the two forms of the highlight make of them.

@@ -2,13 +2,13 @@
 
 use glam::{Vec2, vec2};
 use lighting::lambert;
+use sheet::crowd::Vector;
+use sheet::text::{decimal, degrees};
+use sheet::{Ink, Letters, Side};
 
 use super::slice::{N, WORDS, direction, sheet, tip};
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::crowd::Vector;
-use crate::sheet::text::{decimal, degrees};
-use crate::sheet::{Ink, Letters, Side};
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["L26", "E6"],
@@ -61,5 +61,5 @@ fn draw(values: &Values) -> Drawn {
             "De eenheidsvector l staat {theta:.1}° van de normaal n; zijn projectie op n heeft lengte {share}."
         ),
     );
-    Ok(vec![sheet.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
 }

@@ -5,11 +5,11 @@ use std::f32::consts::{PI, TAU};
 use geometry::{Mesh, MeshError};
 use glam::{Vec2, Vec3, vec2};
 use shading::vertex_normals;
+use sheet::text::degrees;
+use sheet::{Ink, Letters, Sheet, Side};
 
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::text::degrees;
-use crate::sheet::{Ink, Letters, Sheet, Side};
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["L39"],
@@ -73,7 +73,7 @@ fn draw(values: &Values) -> Drawn {
             "Een cirkel en een veelhoek met {corners} hoekpunten. Bij de hoekpunten wijken de normalen van de zijden {side} af van die van de cirkel, de hoekpuntnormalen {vertex}."
         ),
     );
-    Ok(vec![sheet.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
 }
 
 /// What the sheet shows of a vector of space: the column is seen from above.

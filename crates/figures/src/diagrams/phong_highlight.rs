@@ -2,13 +2,13 @@
 
 use glam::{Vec2, Vec3};
 use lighting::{phong_highlight, reflect};
+use sheet::crowd::Vector;
+use sheet::text::{decimal, degrees};
+use sheet::{Ink, Sheet};
 
 use super::slice::{self, N, WORDS, direction, sheet, tip};
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::crowd::Vector;
-use crate::sheet::text::{decimal, degrees};
-use crate::sheet::{Ink, Sheet};
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["L31", "L30"],
@@ -59,7 +59,7 @@ fn draw(values: &Values) -> Drawn {
             "Het oog staat {sigma:.1}° van de terugkaatsrichting van het licht; met exponent {p} heeft de glansplek helderheid {value}."
         ),
     );
-    Ok(vec![sheet.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
 }
 
 /// The angles, and what the highlight makes of them.

@@ -1,13 +1,13 @@
 //! Which point of the window belongs to a pixel? (L9, Fig 4.7)
 
 use glam::{Mat3, Vec2, vec2};
+use sheet::text::decimal;
+use sheet::{Ink, Letters, Sheet, Side};
 use transforms::affine2::{scale, translate};
 use transforms::{ViewVolume, viewport};
 
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::text::decimal;
-use crate::sheet::{Ink, Letters, Sheet, Side};
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["L9", "L8"],
@@ -89,7 +89,7 @@ fn draw(values: &Values) -> Drawn {
         format!("Pixel ({i}, {j}) of {n_x} × {n_y} pixels belongs to the point ({u}, {v}) of the window."),
         format!("Pixel ({i}, {j}) van {n_x} × {n_y} pixels hoort bij het punt ({u}, {v}) van het venster."),
     );
-    Ok(vec![sheet.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
 }
 
 /// From a rectangle of the plane into the room whose lower left corner is `at`, as large as it can be.

@@ -2,11 +2,11 @@
 
 use geometry::{Barycentric, Triangle};
 use glam::{Vec2, vec3};
+use sheet::text::decimal;
+use sheet::{Ink, Letters, Sheet, Side};
 
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::text::decimal;
-use crate::sheet::{Ink, Letters, Sheet, Side};
 
 /// The part of the plane that is drawn: β and γ between these.
 const LEAST: f32 = -0.5;
@@ -70,7 +70,7 @@ fn draw(values: &Values) -> Drawn {
     sheet.names(&names);
     words(&mut sheet, weights);
     let alt = alt(weights);
-    Ok(vec![sheet.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
 }
 
 /// The lines α = k, β = k and γ = k, each named at an end.

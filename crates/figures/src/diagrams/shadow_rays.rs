@@ -6,10 +6,10 @@ use glam::{Mat4, Vec2, Vec3, vec2, vec3};
 use lighting::{Illumination, Light};
 use raytrace::shadow::{is_lit, shadow_ray};
 use raytrace::{Object, Ray, Shape, Surface, World, nearest};
+use sheet::{Ink, Letters, Sheet, Side};
 
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::{Ink, Letters, Sheet, Side};
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["L56"],
@@ -91,7 +91,7 @@ fn draw(values: &Values) -> Drawn {
             words[0].nl, words[1].nl
         ),
     );
-    Ok(vec![sheet.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
 }
 
 fn world(to_light: Vec3) -> Result<World, raytrace::ObjectError> {

@@ -1,10 +1,10 @@
 //! How do the vectors of a lighting model lie? All in the plane of normal and light, which is the sheet.
 
 use glam::{Vec2, Vec3, vec2};
+use sheet::{Ink, Sheet};
 
 use crate::figure::Text;
 use crate::parameter::Parameter;
-use crate::sheet::{Ink, Sheet};
 
 /// The normal of the surface, up on the sheet.
 pub(super) const N: Vec3 = Vec3::Y;

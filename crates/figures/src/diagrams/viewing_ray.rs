@@ -2,13 +2,13 @@
 
 use glam::{Vec2, Vec3, vec2, vec3};
 use raytrace::{Ray, viewing_ray};
+use sheet::text::{decimal, triple};
+use sheet::view::View;
+use sheet::{Ink, Sheet};
 use transforms::{Camera, Pipeline, ViewVolume};
 
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::text::{decimal, triple};
-use crate::sheet::view::View;
-use crate::sheet::{Ink, Sheet};
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["L46", "L47"],
@@ -58,7 +58,7 @@ fn draw(values: &Values) -> Drawn {
             place.nl
         ),
     );
-    Ok(vec![sheet.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
 }
 
 /// The numbers of the line, and on which part of it t lies.

@@ -1,14 +1,14 @@
 //! Which part of space does the camera see, and where do its rays cross the view plane? (L7, Fig 7.7)
 
 use glam::{Vec2, Vec3, vec2, vec3};
+use sheet::crowd::Vector;
+use sheet::text::decimal;
+use sheet::view::View;
+use sheet::{Ink, Pen, Sheet};
 use transforms::ViewVolume;
 
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::crowd::Vector;
-use crate::sheet::text::decimal;
-use crate::sheet::view::View;
-use crate::sheet::{Ink, Pen, Sheet};
 
 const fn edge(name: &'static str, label: Text, default: f32, least: f32, greatest: f32) -> Parameter {
     Parameter::number(name, label, default, least, greatest)
@@ -68,7 +68,7 @@ fn draw(values: &Values) -> Drawn {
             "Een piramide met haar top in het oog, afgesneden door het venster in het viewplane w = {n} en door het far-vlak w = {f}."
         ),
     );
-    Ok(vec![sheet.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
 }
 
 /// The corners of what is seen at depth w: the window, as much larger as it is farther away.

@@ -3,12 +3,12 @@
 use geometry::{Ray, Triangle};
 use glam::{Vec2, Vec3, vec2, vec3};
 use raytrace::triangle::{Solution, System, cramer, system};
+use sheet::text::{decimal, triple};
+use sheet::view::View;
+use sheet::{Ink, Letters, Sheet, Side};
 
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::text::{decimal, triple};
-use crate::sheet::view::View;
-use crate::sheet::{Ink, Letters, Sheet, Side};
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["L54", "L50"],
@@ -60,7 +60,7 @@ fn draw(values: &Values) -> Drawn {
     sheet.names(&names);
     numbers(&mut sheet, &ray, &system, &found);
     let alt = alt(&found);
-    Ok(vec![sheet.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
 }
 
 /// The ray is drawn from the eye to here.

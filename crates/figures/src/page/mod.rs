@@ -10,10 +10,10 @@ pub use shown::{Entry, Medium, Shown, Trial};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+use sheet::STYLE;
 
 use crate::claims::Verdict;
 use crate::figure::{Text, Words};
-use crate::sheet::{self, STYLE};
 
 /// Nothing from elsewhere, not even by mistake.
 const POLICY: &str =

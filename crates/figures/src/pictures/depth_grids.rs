@@ -2,12 +2,12 @@
 
 use canvas::{Image, Rgb};
 use glam::{Vec2, vec2};
+use sheet::{Ink, Letters, Sheet, Side};
 use zbuffer::{DepthBuffer, DepthFormat, ScreenTriangle, draw::draw as draw_triangle};
 
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::on_screen;
 use crate::parameter::{Parameter, Values};
-use crate::sheet::{Ink, Letters, Sheet, Side};
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["L17", "L16", "E18"],
@@ -71,7 +71,7 @@ fn draw(values: &Values) -> Drawn {
     for (k, grid) in grids.iter().enumerate() {
         draw_grid(&mut sheet, grid, k, inks);
     }
-    Ok(vec![sheet.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
 }
 
 /// The stored depths, rows from the top down, 0 where nothing was drawn.

@@ -5,12 +5,12 @@ use geometry::{Mesh, shapes};
 use glam::{Mat4, Quat, Vec3, vec2, vec3};
 use lighting::{Highlight, Light, Material};
 use shading::{CREASE_ANGLE, Object, Shading, Visibility, World, render, with_vertex_normals};
+use sheet::{Ink, Letters, Sheet, Side};
 use transforms::{Camera, Pipeline, ViewVolume};
 
 use super::studio::Fault;
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::{Ink, Letters, Sheet, Side};
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["L5", "L1", "L2", "L3", "L4", "E1"],

@@ -11,12 +11,12 @@ use glam::{Mat4, Vec3, vec3};
 use lighting::{Highlight, Light, Material};
 use raytrace::{Search, Shape, TracedMesh};
 use shading::{Shading, Visibility};
+use sheet::Ink;
+use sheet::plot::{Axis, Kind, Plot, Series};
 use transforms::{Camera, Pipeline, ViewVolume};
 
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::Ink;
-use crate::sheet::plot::{Axis, Kind, Plot, Series};
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["L21"],
@@ -85,7 +85,7 @@ fn draw(values: &Values) -> Drawn {
             series("rays, slide's loop", "stralen, slide-lus", Ink::C, looped),
         ],
     };
-    Ok(vec![plot.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| plot.svg(alt))])
 }
 
 fn lights() -> Vec<Light> {

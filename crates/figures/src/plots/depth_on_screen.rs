@@ -1,13 +1,13 @@
 //! Which depth lies halfway on the screen? Not the one halfway in space (E9).
 
 use glam::{Vec3, vec3};
+use sheet::Ink;
+use sheet::plot::{Axis, Kind, Plot, Series};
+use sheet::text::decimal;
 use transforms::{Camera, Pipeline, ViewVolume};
 
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::Ink;
-use crate::sheet::plot::{Axis, Kind, Plot, Series};
-use crate::sheet::text::decimal;
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["E9", "L18"],
@@ -56,7 +56,7 @@ fn draw(values: &Values) -> Drawn {
             "Halverwege op het scherm is de ware camera-z {halfway_z}; recht interpoleren geeft {middle}."
         ),
     );
-    Ok(vec![plot.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| plot.svg(alt))])
 }
 
 fn plot(pipeline: &Pipeline, ends: [Vec3; 2]) -> Result<Plot, &'static str> {

@@ -1,13 +1,13 @@
 //! How far apart must two surfaces be before a depth buffer tells which is nearer? (L20, E9)
 
+use sheet::Ink;
+use sheet::plot::{Axis, Kind, Plot, Series};
 use transforms::ViewVolume;
 use zbuffer::DepthFormat;
 use zbuffer::depth_format::step_at;
 
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::Ink;
-use crate::sheet::plot::{Axis, Kind, Plot, Series};
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["L20", "E9"],
@@ -71,5 +71,5 @@ fn draw(values: &Values) -> Drawn {
             "Drie stijgende lijnen: met 16 bits is de stap {coarse:.3} bij het far-vlak, met 24 bits {times_24:.0} keer kleiner, met 32 bits {times_32:.0} keer."
         ),
     );
-    Ok(vec![plot.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| plot.svg(alt))])
 }

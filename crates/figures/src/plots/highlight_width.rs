@@ -2,12 +2,12 @@
 
 use glam::Vec3;
 use lighting::Highlight;
+use sheet::Ink;
+use sheet::plot::{Axis, Kind, Plot, Series};
+use sheet::text::decimal;
 
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::Ink;
-use crate::sheet::plot::{Axis, Kind, Plot, Series};
-use crate::sheet::text::decimal;
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["E4", "L34", "L31"],
@@ -63,7 +63,7 @@ fn draw(values: &Values) -> Drawn {
             "Drie dalende lijnen. Bij p = 32 ligt halve helderheid {phong}° ernaast voor e·r, {blinn}° voor h·n en {four}° voor h·n met 4p."
         ),
     );
-    Ok(vec![plot.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| plot.svg(alt))])
 }
 
 /// The angle off the mirror direction, towards the normal and beyond, at which the highlight falls to a half. Radians.

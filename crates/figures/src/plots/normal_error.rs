@@ -5,12 +5,12 @@ use geometry::{Barycentric, Mesh};
 use glam::Vec3;
 use shading::mode::phong_normal;
 use shading::{CREASE_ANGLE, vertex_normals};
+use sheet::Ink;
+use sheet::plot::{Axis, Kind, Plot, Series};
+use sheet::text::decimal;
 
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::parameter::{Parameter, Values};
-use crate::sheet::Ink;
-use crate::sheet::plot::{Axis, Kind, Plot, Series};
-use crate::sheet::text::decimal;
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["L39", "L40"],
@@ -94,7 +94,7 @@ fn draw(values: &Values) -> Drawn {
             "Met {triangles} driehoeken zit de normaal van een vlak er tot {face}° naast, de geïnterpoleerde hoekpuntnormalen tot {vertex}°."
         ),
     );
-    Ok(vec![plot.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| plot.svg(alt))])
 }
 
 /// The errors of the faces' normals and of the interpolated vertex normals. The true normal of a unit ball points from its

@@ -1,15 +1,15 @@
 //! How often is a pixel coloured before it has its final colour? (E16, L19)
 
 use canvas::{Image, Rgb};
+use sheet::Ink;
+use sheet::plot::{Axis, Kind, Plot, Series};
+use sheet::text::decimal;
 use zbuffer::draw::{Work, z_buffer};
 use zbuffer::{DepthBuffer, DepthFormat, ScreenTriangle};
 
-use crate::figure::{Drawn, Figure, Text, Words};
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::on_screen;
 use crate::parameter::{Parameter, Values};
-use crate::sheet::Ink;
-use crate::sheet::plot::{Axis, Kind, Plot, Series};
-use crate::sheet::text::decimal;
 
 pub(super) static FIGURE: Figure = Figure {
     numbers: &["E16", "L19"],
@@ -74,7 +74,7 @@ fn draw(values: &Values) -> Drawn {
             "Met {MOST_LAYERS} lagen wordt elke pixel gemiddeld {last} keer gekleurd; de theorie zegt {theory}."
         ),
     );
-    Ok(vec![plot.drawing(alt)])
+    Ok(vec![Drawing::only(alt, |alt| plot.svg(alt))])
 }
 
 /// How many colours the loop computes for a pixel, over so many random orders of n layers.

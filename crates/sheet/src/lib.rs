@@ -2,21 +2,36 @@
 //!
 //! Colours are names, not numbers: the style decides what they are, light on dark or dark on light. Letters follow the
 //! lecture: vectors and points upright and bold, numbers and angles in italics.
+//!
+//! - [`Sheet`]: lines, arrows, polygons, words; [`Sheet::svg`] gives a file that stands alone.
+//! - [`crowd`]: arrows with names that keep out of each other's way.
+//! - [`plot`]: measured numbers over two axes.
+//! - [`text`]: numbers as they are printed.
+//! - [`view`]: things in space, through the lecture's camera.
+//! - [`Words`]: everything is said in English and in Dutch.
 
-pub(crate) mod crowd;
+#![forbid(unsafe_code)]
+
+pub mod crowd;
 mod matrix;
-pub(crate) mod plot;
-pub(crate) mod text;
-pub(crate) mod view;
+pub mod plot;
+pub mod text;
+pub mod view;
+mod words;
+
+pub use words::{Text, Words};
 
 use glam::{Vec2, vec2};
 use maud::{Markup, PreEscaped, html};
 
-use crate::figure::{Drawing, Words};
 use text::raised_and_lowered;
 
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeExamples;
+
 /// What the names of the inks mean. The page has it once; a file of its own carries it along.
-pub(crate) const STYLE: &str = "\
+pub const STYLE: &str = "\
 .fig{color:#1b2330;--faint:#a3adbd;--a:#c2410c;--b:#1d4ed8;--c:#15803d;--d:#a21caf;--paper:#fff;\
 font-family:system-ui,'Segoe UI','Noto Sans',sans-serif}\
 @media(prefers-color-scheme:dark){.fig{color:#e8ecf3;--faint:#5b6578;--a:#fb923c;--b:#7ba7ff;--c:#5fd38a;--d:#e58af5;--paper:#12161e}}\
@@ -34,15 +49,18 @@ const ALONE: &str = ".fig .nl{display:none}.fig{background:var(--paper)}";
 
 /// A colour by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Ink {
+pub enum Ink {
     /// That of the text.
     Main,
     /// For what is there but not the point.
     Faint,
-    /// The four that set things apart: orange, blue, green, purple.
+    /// The first of the four that set things apart: orange.
     A,
+    /// Blue.
     B,
+    /// Green.
     C,
+    /// Purple.
     D,
 }
 
@@ -52,14 +70,14 @@ impl Ink {
     }
 
     /// A line of this colour.
-    pub(crate) fn pen(self) -> Pen {
+    pub fn pen(self) -> Pen {
         Pen { ink: self, width: 2.0, dashed: false }
     }
 }
 
 /// A line's colour and kind.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Pen {
+pub struct Pen {
     ink: Ink,
     /// In pixels of the drawing's natural size.
     width: f32,
@@ -67,22 +85,25 @@ pub(crate) struct Pen {
 }
 
 impl Pen {
-    pub(crate) fn dashed(self) -> Self {
+    /// The same, broken.
+    pub fn dashed(self) -> Self {
         Self { dashed: true, ..self }
     }
 
-    pub(crate) fn wide(self) -> Self {
+    /// The same, for what matters most.
+    pub fn wide(self) -> Self {
         Self { width: 3.5, ..self }
     }
 
-    pub(crate) fn fine(self) -> Self {
+    /// The same, for what should not be in the way.
+    pub fn fine(self) -> Self {
         Self { width: 1.0, ..self }
     }
 }
 
 /// How letters stand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Letters {
+pub enum Letters {
     /// Words and numbers.
     Plain,
     /// Points and vectors: bold.
@@ -93,23 +114,31 @@ pub(crate) enum Letters {
 
 /// Where a label stands, seen from its point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Side {
+pub enum Side {
+    /// Over it, centred.
     Above,
+    /// Under it, centred.
     Below,
+    /// It ends before it.
     Left,
+    /// It begins after it.
     Right,
+    /// On it, centred.
     Middle,
+    /// It ends before and over it.
     AboveLeft,
+    /// It begins after and over it.
     AboveRight,
+    /// It begins after and under it.
     BelowRight,
 }
 
 /// The height of letters in pixels.
-pub(crate) const LETTER: f32 = 18.0;
+pub const LETTER: f32 = 18.0;
 
 /// A drawing in the making.
 #[derive(Debug)]
-pub(crate) struct Sheet {
+pub struct Sheet {
     lower_left: Vec2,
     upper_right: Vec2,
     /// Pixels for each unit of the plane.
@@ -119,14 +148,14 @@ pub(crate) struct Sheet {
 
 impl Sheet {
     /// A sheet that shows the rectangle between two corners of the plane, `width` pixels wide.
-    pub(crate) fn new(lower_left: Vec2, upper_right: Vec2, width: f32) -> Self {
+    pub fn new(lower_left: Vec2, upper_right: Vec2, width: f32) -> Self {
         let scale = width / (upper_right.x - lower_left.x);
         Self { lower_left, upper_right, scale, body: String::new() }
     }
 
     /// A sheet of `size` pixels that shows all `points`, as large as they can be, with `margin` pixels around them and
     /// `right` more pixels at the right, for words.
-    pub(crate) fn around(points: &[Vec2], size: Vec2, margin: f32, right: f32) -> Self {
+    pub fn around(points: &[Vec2], size: Vec2, margin: f32, right: f32) -> Self {
         let least = points.iter().copied().fold(Vec2::INFINITY, Vec2::min);
         let greatest = points.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
         assert!(least.cmple(greatest).all(), "a sheet needs a point");
@@ -139,12 +168,12 @@ impl Sheet {
     }
 
     /// The point of the plane so many pixels from the left and from the top of the sheet.
-    pub(crate) fn place(&self, left: f32, top: f32) -> Vec2 {
+    pub fn place(&self, left: f32, top: f32) -> Vec2 {
         vec2(self.lower_left.x + self.units(left), self.upper_right.y - self.units(top))
     }
 
     /// So many units of the plane are this many pixels.
-    pub(crate) fn units(&self, pixels: f32) -> f32 {
+    pub fn units(&self, pixels: f32) -> f32 {
         pixels / self.scale
     }
 
@@ -157,18 +186,18 @@ impl Sheet {
     }
 
     /// A line through all points.
-    pub(crate) fn path(&mut self, points: &[Vec2], pen: Pen) {
+    pub fn path(&mut self, points: &[Vec2], pen: Pen) {
         let d = self.data(points, false);
         self.stroke(&d, pen);
     }
 
     /// A line from `a` to `b`.
-    pub(crate) fn line(&mut self, a: Vec2, b: Vec2, pen: Pen) {
+    pub fn line(&mut self, a: Vec2, b: Vec2, pen: Pen) {
         self.path(&[a, b], pen);
     }
 
     /// A line with a point at `b`.
-    pub(crate) fn arrow(&mut self, a: Vec2, b: Vec2, pen: Pen) {
+    pub fn arrow(&mut self, a: Vec2, b: Vec2, pen: Pen) {
         let (from, to) = (self.at(a), self.at(b));
         let along = (to - from).normalize_or_zero();
         let (length, half_width) = (6.0 + 2.5 * pen.width, 2.5 + 1.3 * pen.width);
@@ -181,19 +210,19 @@ impl Sheet {
     }
 
     /// The outline of a polygon.
-    pub(crate) fn polygon(&mut self, corners: &[Vec2], pen: Pen) {
+    pub fn polygon(&mut self, corners: &[Vec2], pen: Pen) {
         let d = self.data(corners, true);
         self.stroke(&d, pen);
     }
 
     /// A polygon filled with a thin colour.
-    pub(crate) fn wash(&mut self, corners: &[Vec2], ink: Ink) {
+    pub fn wash(&mut self, corners: &[Vec2], ink: Ink) {
         let d = self.data(corners, true);
         self.put(html! { path d=(d) class={ "wash f-" (ink.name()) } {} });
     }
 
     /// A circle.
-    pub(crate) fn circle(&mut self, center: Vec2, radius: f32, pen: Pen) {
+    pub fn circle(&mut self, center: Vec2, radius: f32, pen: Pen) {
         let (c, r) = (self.at(center), radius * self.scale);
         self.put(html! {
             circle cx=(number(c.x)) cy=(number(c.y)) r=(number(r)) class={ "s s-" (pen.ink.name()) }
@@ -202,19 +231,19 @@ impl Sheet {
     }
 
     /// A point, drawn as a dot.
-    pub(crate) fn dot(&mut self, p: Vec2, ink: Ink) {
+    pub fn dot(&mut self, p: Vec2, ink: Ink) {
         let p = self.at(p);
         self.put(html! { circle cx=(number(p.x)) cy=(number(p.y)) r="5" class={ "f-" (ink.name()) } {} });
     }
 
     /// One of many points, drawn as a small dot.
-    pub(crate) fn speck(&mut self, p: Vec2, ink: Ink) {
+    pub fn speck(&mut self, p: Vec2, ink: Ink) {
         let p = self.at(p);
         self.put(html! { circle cx=(number(p.x)) cy=(number(p.y)) r="2" class={ "f-" (ink.name()) } {} });
     }
 
     /// An arc around `center` from direction `from` to direction `to`, the short way round: the mark of an angle.
-    pub(crate) fn arc(&mut self, center: Vec2, radius: f32, from: Vec2, to: Vec2, pen: Pen) {
+    pub fn arc(&mut self, center: Vec2, radius: f32, from: Vec2, to: Vec2, pen: Pen) {
         /// Finer than the eye sees.
         const STEPS: u16 = 24;
         let (start, turn) = (from.to_angle(), from.angle_to(to));
@@ -224,7 +253,7 @@ impl Sheet {
     }
 
     /// Lines of words, one under the other, the first so many pixels from the left and from the top of the sheet.
-    pub(crate) fn lines<W: Into<Words>>(&mut self, left: f32, top: f32, lines: impl IntoIterator<Item = W>) {
+    pub fn lines<W: Into<Words>>(&mut self, left: f32, top: f32, lines: impl IntoIterator<Item = W>) {
         for (k, words) in lines.into_iter().enumerate() {
             let place = self.place(left, top + 1.5 * LETTER * k as f32);
             self.label(place, Side::Right, words, Letters::Plain, Ink::Main);
@@ -232,7 +261,7 @@ impl Sheet {
     }
 
     /// A surface seen from the side: a line from `a` to `b` with strokes at its right, where its inside is.
-    pub(crate) fn surface(&mut self, a: Vec2, b: Vec2) {
+    pub fn surface(&mut self, a: Vec2, b: Vec2) {
         let (along, step) = ((b - a).normalize_or_zero(), self.units(14.0));
         let inwards = step * (-along - along.perp()) * 0.8;
         let strokes = ((b - a).length() / step) as u16;
@@ -244,12 +273,12 @@ impl Sheet {
     }
 
     /// Words beside a point. `_` and `^` lower and raise the letters and digits that follow: `u_s`, `(e·r)^p`.
-    pub(crate) fn label(&mut self, p: Vec2, side: Side, words: impl Into<Words>, letters: Letters, ink: Ink) {
+    pub fn label(&mut self, p: Vec2, side: Side, words: impl Into<Words>, letters: Letters, ink: Ink) {
         self.label_sized(p, side, words, letters, ink, LETTER);
     }
 
     /// Words beside a point, with letters of a height in pixels.
-    pub(crate) fn label_sized(
+    pub fn label_sized(
         &mut self,
         p: Vec2,
         side: Side,
@@ -291,14 +320,8 @@ impl Sheet {
         }
     }
 
-    /// The figure's only drawing; `alt` is what it says to somebody who cannot see it.
-    pub(crate) fn drawing(self, alt: Words) -> Drawing {
-        let svg = self.svg(&alt);
-        Drawing::diagram("", alt, svg)
-    }
-
     /// The text of an SVG file. `alt` is what it says to somebody who cannot see it.
-    pub(crate) fn svg(self, alt: &Words) -> String {
+    pub fn svg(self, alt: &Words) -> String {
         let size = self.at(vec2(self.upper_right.x, self.lower_left.y));
         let (width, height) = (number(size.x), number(size.y));
         html! {
@@ -332,7 +355,7 @@ impl Sheet {
 }
 
 /// The SVG text of [`Sheet::svg`] as part of a page that has [`STYLE`] itself and lets the reader choose the language.
-pub(crate) fn inside_a_page(svg: &str, alt: &Words) -> String {
+pub fn inside_a_page(svg: &str, alt: &Words) -> String {
     let described = html! { svg data-en=(alt.en) data-nl=(alt.nl) {} }.into_string();
     let described = described.trim_end_matches("></svg>");
     let without_style = match (svg.find("<style>"), svg.find("</style>")) {

@@ -1,6 +1,6 @@
 //! How does a matrix stand on a sheet? As rows and columns between brackets.
 
-use super::{Ink, LETTER, Letters, Sheet, Side};
+use crate::{Ink, LETTER, Letters, Sheet, Side};
 
 /// From row to row, in pixels.
 const ROW: f32 = 1.45 * LETTER;
@@ -10,7 +10,7 @@ const GAP: f32 = 7.0;
 impl Sheet {
     /// Columns of entries between brackets, from so many pixels from the left and from the top of the sheet; `column` is the
     /// width of one in pixels. Returns where the matrix ends, in pixels from the left.
-    pub(crate) fn matrix(&mut self, left: f32, top: f32, column: f32, columns: &[[String; 3]]) -> f32 {
+    pub fn matrix(&mut self, left: f32, top: f32, column: f32, columns: &[[String; 3]]) -> f32 {
         let width = 2.0 * GAP + column * columns.len() as f32;
         for (x, inwards) in [(left, 6.0), (left + width, -6.0)] {
             let bottom = top + 3.0 * ROW;

@@ -2,31 +2,34 @@
 
 use glam::{Vec2, vec2};
 
-use super::{Ink, LETTER, Letters, Pen, Sheet, Side};
-use crate::figure::Text;
+use crate::{Ink, LETTER, Letters, Pen, Sheet, Side, Text};
 
 /// An arrow with a name.
 #[derive(Clone, Debug)]
-pub(crate) struct Vector {
-    pub(crate) tip: Vec2,
-    pub(crate) name: Text,
-    pub(crate) ink: Ink,
-    pub(crate) pen: Pen,
+pub struct Vector {
+    /// Where it points.
+    pub tip: Vec2,
+    /// What it is called.
+    pub name: Text,
+    /// The colour of its name.
+    pub ink: Ink,
+    /// The line it is drawn with.
+    pub pen: Pen,
 }
 
 impl Vector {
     /// In one colour.
-    pub(crate) fn new(name: &'static str, tip: Vec2, ink: Ink) -> Self {
+    pub fn new(name: &'static str, tip: Vec2, ink: Ink) -> Self {
         Self { tip, name: Text { en: name, nl: name }, ink, pen: ink.pen().wide() }
     }
 
     /// With a name in each language.
-    pub(crate) fn called(self, en: &'static str, nl: &'static str) -> Self {
+    pub fn called(self, en: &'static str, nl: &'static str) -> Self {
         Self { name: Text { en, nl }, ..self }
     }
 
     /// Less important: thin and broken.
-    pub(crate) fn dashed(self) -> Self {
+    pub fn dashed(self) -> Self {
         Self { pen: self.ink.pen().dashed(), ..self }
     }
 }
@@ -38,7 +41,7 @@ const NO_ROOM: f32 = 0.13;
 
 impl Sheet {
     /// Arrows from one point, each with its name behind its tip.
-    pub(crate) fn vectors(&mut self, from: Vec2, vectors: &[Vector]) {
+    pub fn vectors(&mut self, from: Vec2, vectors: &[Vector]) {
         let names: Vec<_> = vectors
             .iter()
             .map(|vector| {
@@ -56,7 +59,7 @@ impl Sheet {
     }
 
     /// Bold names around their places, pushed apart where they would overlap.
-    pub(crate) fn names(&mut self, names: &[(Vec2, &'static str, Ink)]) {
+    pub fn names(&mut self, names: &[(Vec2, &'static str, Ink)]) {
         let texts: Vec<_> =
             names.iter().map(|&(p, name, ink)| (p, Text { en: name, nl: name }, ink)).collect();
         self.texts(&texts);
@@ -73,14 +76,7 @@ impl Sheet {
     }
 
     /// The mark of the angle between two directions, with its letter.
-    pub(crate) fn angle(
-        &mut self,
-        at: Vec2,
-        radius: f32,
-        [from, to]: [Vec2; 2],
-        name: &'static str,
-        ink: Ink,
-    ) {
+    pub fn angle(&mut self, at: Vec2, radius: f32, [from, to]: [Vec2; 2], name: &'static str, ink: Ink) {
         let width = from.angle_to(to);
         if width.abs() > NARROW {
             self.arc(at, radius, from, to, ink.pen());

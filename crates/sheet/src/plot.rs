@@ -2,46 +2,50 @@
 
 use glam::{Vec2, vec2};
 
-use super::text::decimal;
-use super::{Ink, LETTER, Letters, Sheet, Side};
-use crate::figure::{Drawing, Words};
+use crate::text::decimal;
+use crate::{Ink, LETTER, Letters, Sheet, Side, Words};
 
 /// One axis of a plot.
 #[derive(Clone, Debug)]
-pub(crate) struct Axis {
+pub struct Axis {
     /// What is measured, with its unit.
-    pub(crate) label: Words,
+    pub label: Words,
     /// Whether equal steps are equal factors.
-    pub(crate) logarithmic: bool,
-    /// The ends that must be seen; the data widen them.
-    pub(crate) least: Option<f64>,
-    pub(crate) greatest: Option<f64>,
+    pub logarithmic: bool,
+    /// The lower end that must be seen; the data widen it.
+    pub least: Option<f64>,
+    /// The upper end that must be seen; the data widen it.
+    pub greatest: Option<f64>,
 }
 
 impl Axis {
     /// Equal steps are equal differences, from 0.
-    pub(crate) fn linear(label: impl Into<Words>) -> Self {
+    pub fn linear(label: impl Into<Words>) -> Self {
         Self { label: label.into(), logarithmic: false, least: Some(0.0), greatest: None }
     }
 
     /// Equal steps are equal factors.
-    pub(crate) fn logarithmic(label: impl Into<Words>) -> Self {
+    pub fn logarithmic(label: impl Into<Words>) -> Self {
         Self { label: label.into(), logarithmic: true, least: None, greatest: None }
     }
 }
 
 /// Points that belong together.
 #[derive(Clone, Debug)]
-pub(crate) struct Series {
-    pub(crate) name: Words,
-    pub(crate) ink: Ink,
-    pub(crate) points: Vec<(f64, f64)>,
-    pub(crate) kind: Kind,
+pub struct Series {
+    /// What it is called.
+    pub name: Words,
+    /// Its colour.
+    pub ink: Ink,
+    /// Its points, (x, y), in the order in which the line runs.
+    pub points: Vec<(f64, f64)>,
+    /// How it is drawn.
+    pub kind: Kind,
 }
 
 /// How a series is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub enum Kind {
     /// A measurement: a line, with dots where it was taken unless they are many.
     Measured,
     /// A law: a dashed line.
@@ -52,10 +56,13 @@ pub(crate) enum Kind {
 
 /// A plot in the making.
 #[derive(Clone, Debug)]
-pub(crate) struct Plot {
-    pub(crate) x: Axis,
-    pub(crate) y: Axis,
-    pub(crate) series: Vec<Series>,
+pub struct Plot {
+    /// To the right.
+    pub x: Axis,
+    /// Upwards.
+    pub y: Axis,
+    /// What is plotted.
+    pub series: Vec<Series>,
 }
 
 const WIDTH: f32 = 780.0;
@@ -73,20 +80,11 @@ const FEW_DECADES: f64 = 2.5;
 const MOST_DOTS: usize = 24;
 
 impl Plot {
-    /// The figure's only drawing; `alt` is what it says to somebody who cannot see it.
-    ///
-    /// # Panics
-    /// As [`Plot::svg`].
-    pub(crate) fn drawing(&self, alt: Words) -> Drawing {
-        let svg = self.svg(&alt);
-        Drawing::diagram("", alt, svg)
-    }
-
-    /// The text of an SVG file.
+    /// The text of an SVG file. `alt` is what it says to somebody who cannot see it.
     ///
     /// # Panics
     /// If there is no point to plot: a plot of nothing is a mistake of the figure.
-    pub(crate) fn svg(&self, alt: &Words) -> String {
+    pub fn svg(&self, alt: &Words) -> String {
         let x = Scale::of(
             &self.x,
             self.series.iter().flat_map(|s| s.points.iter().map(|p| p.0)),

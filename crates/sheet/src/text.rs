@@ -4,7 +4,7 @@ use glam::Vec3;
 use maud::{Markup, html};
 
 /// A number with so many decimals: `−0.50`. A zero has no sign.
-pub(crate) fn decimal(x: impl Into<f64>, decimals: usize) -> String {
+pub fn decimal(x: impl Into<f64>, decimals: usize) -> String {
     let text = format!("{:.decimals$}", x.into());
     match text.strip_prefix('-') {
         Some(digits) if digits.bytes().any(|digit| (b'1'..=b'9').contains(&digit)) => format!("−{digits}"),
@@ -14,17 +14,17 @@ pub(crate) fn decimal(x: impl Into<f64>, decimals: usize) -> String {
 }
 
 /// A point or vector with two decimals: `(0.50, −1.00, 2.25)`.
-pub(crate) fn triple(p: Vec3) -> String {
+pub fn triple(p: Vec3) -> String {
     format!("({}, {}, {})", decimal(p.x, 2), decimal(p.y, 2), decimal(p.z, 2))
 }
 
 /// An angle in degrees with one decimal: `22.5°`.
-pub(crate) fn degrees(radians: f32) -> String {
+pub fn degrees(radians: f32) -> String {
     format!("{}°", decimal(radians.to_degrees(), 1))
 }
 
 /// `u_s` with a lowered s, `x^p` with a raised p: small letters up or down by a part of the letters' height.
-pub(super) fn raised_and_lowered(words: &str, height: f32) -> Markup {
+pub(crate) fn raised_and_lowered(words: &str, height: f32) -> Markup {
     let (mut parts, mut rest, mut shift) = (Vec::new(), words, 0.0);
     while let Some(mark) = rest.find(['_', '^']) {
         let (before, after) = rest.split_at(mark);
