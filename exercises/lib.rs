@@ -17,9 +17,12 @@ pub mod transforms {
 pub mod raytrace {
     pub mod in_shadow;
     pub mod nearest_hit;
+    pub mod ray_color;
+    pub mod ray_color_recursive;
     pub mod ray_sphere;
     pub mod ray_triangle;
     pub mod ray_triangle_system;
+    pub mod refract;
     pub mod viewing_ray;
 }
 
