@@ -2,7 +2,35 @@
 
 /// How does a point of the world find its pixel?
 pub mod transforms {
+    pub mod camera_frame;
+    pub mod camera_from_world;
+    pub mod canonical_from_camera;
+    pub mod change_of_basis;
+    pub mod change_of_basis_inverse;
+    pub mod perspective;
     pub mod rotate_about_point;
+    pub mod screen_from_canonical;
+    pub mod window_from_pixel;
+}
+
+/// What does a ray meet, and what colour does it bring back?
+pub mod raytrace {
+    pub mod in_shadow;
+    pub mod nearest_hit;
+    pub mod ray_sphere;
+    pub mod ray_triangle;
+    pub mod ray_triangle_system;
+    pub mod viewing_ray;
+}
+
+/// Which polygon does a pixel show?
+pub mod zbuffer {
+    pub mod barycentric;
+    pub mod covers;
+    pub mod depth_at;
+    pub mod painters_order;
+    pub mod rasterize;
+    pub mod z_buffer_algorithm;
 }
 
 /// How bright is a point of a surface?

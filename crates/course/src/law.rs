@@ -140,7 +140,8 @@ impl Asker<'_> {
     /// # Errors
     /// [`Stop`], to be passed on with `?`.
     pub fn ask<R: Plain>(&self, arguments: Vec<Value>) -> Result<R, Stop> {
-        let Some((_, reply)) = self.known.iter().find(|(asked, _)| same(asked, &arguments)) else {
+        let Some((_, reply)) = self.known.iter().find(|(asked, _)| worker::identical(asked, &arguments))
+        else {
             return Err(Stop::Pending(arguments));
         };
         match reply {
@@ -148,28 +149,6 @@ impl Asker<'_> {
                 .ok_or_else(|| Stop::Fault(Fault(format!("the law expects another type than {value}")))),
             unanswered => Err(Stop::Unanswered(unanswered.clone())),
         }
-    }
-}
-
-/// The same arguments to the bit: −0 is not 0 here, since a function may tell them apart.
-fn same(a: &[Value], b: &[Value]) -> bool {
-    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| identical(a, b))
-}
-
-fn identical(a: &Value, b: &Value) -> bool {
-    let bits =
-        |a: &[f32], b: &[f32]| a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits());
-    match (a, b) {
-        (Value::Number(a), Value::Number(b)) => bits(&[*a], &[*b]),
-        (Value::Vector(a), Value::Vector(b)) | (Value::Matrix(a), Value::Matrix(b)) => bits(a, b),
-        (Value::List(a), Value::List(b)) => same(a, b),
-        (Value::Record(a), Value::Record(b)) => {
-            let fields = a.fields.iter().zip(&b.fields);
-            a.name == b.name
-                && a.fields.len() == b.fields.len()
-                && fields.into_iter().all(|(a, b)| identical(&a.1, &b.1))
-        }
-        _ => a == b,
     }
 }
 

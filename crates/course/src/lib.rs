@@ -14,6 +14,7 @@ mod concept;
 pub mod diagnosis;
 mod drawing;
 mod exercise;
+mod fingerprint;
 mod law;
 mod source;
 pub mod trial;
@@ -27,6 +28,7 @@ mod zbuffer;
 pub use answerer::{Answerer, Fault, InProcess, Loss, Reply};
 pub use concept::Concept;
 pub use exercise::{Calls, Example, Exercise, Misconception, Picture, Program, Seen, Signature, Title};
+pub use fingerprint::fingerprint;
 pub use law::{Asker, Broken, Law, Stop, close, that};
 pub use worker::{Plain, Value};
 

@@ -5,6 +5,7 @@ use worker::Value;
 
 use crate::answerer::{Answerer, Fault, Reply};
 use crate::exercise::{Example, Exercise};
+use crate::fingerprint::fingerprint;
 use crate::law::{Asker, Broken, Case, Law, Stop};
 
 /// So many steps towards a smaller input, at most.
@@ -75,13 +76,19 @@ impl Examination {
         !self.not_started && self.laws.iter().all(|law| matches!(law.outcome, Outcome::Kept(_)))
     }
 
-    /// The first counterexample.
+    /// The counterexample to show.
     pub fn counterexample(&self) -> Option<(&Tried, &Counterexample)> {
-        self.laws.iter().find_map(|law| match &law.outcome {
-            Outcome::Failed(counterexample) => Some((law, &**counterexample)),
-            Outcome::Kept(_) | Outcome::NotRun => None,
-        })
+        counterexample(&self.laws)
     }
+}
+
+/// The counterexample to show: that of the first law that fails; a worked example's only if all laws hold, since it is not the smallest input.
+pub fn counterexample(laws: &[Tried]) -> Option<(&Tried, &Counterexample)> {
+    let (examples, laws) = laws.split_at(laws.len().min(1));
+    laws.iter().chain(examples).find_map(|law| match &law.outcome {
+        Outcome::Failed(counterexample) => Some((law, &**counterexample)),
+        Outcome::Kept(_) | Outcome::NotRun => None,
+    })
 }
 
 /// Tries all laws of an exercise. The inputs depend on the exercise and the seed alone.
@@ -306,17 +313,13 @@ impl Case for Fixed<'_> {
     }
 }
 
-/// FNV-1a over the seed and the names, four times with different beginnings: the same on every machine.
+/// From the seed and the names: a fingerprint with four different beginnings.
 fn seed_of(seed: u64, names: &[&str]) -> [u8; 32] {
     let mut bytes = [0; 32];
     for (round, part) in bytes.chunks_exact_mut(8).enumerate() {
         let text = seed.to_le_bytes().into_iter().chain([round as u8]);
-        let hash = text
-            .chain(names.iter().flat_map(|name| name.bytes().chain([0])))
-            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-                (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-            });
-        part.copy_from_slice(&hash.to_le_bytes());
+        let text = text.chain(names.iter().flat_map(|name| name.bytes().chain([0])));
+        part.copy_from_slice(&fingerprint(text).to_le_bytes());
     }
     bytes
 }

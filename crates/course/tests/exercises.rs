@@ -3,12 +3,13 @@
 use course::diagnosis::diagnose;
 use course::trial::{Examination, Outcome, examine};
 use course::{Exercise, InProcess, Program};
+use rayon::prelude::*;
 
 /// So many seeds for every right solution.
 const SEEDS: u64 = 100;
 
 /// So many seeds for every misconception: each must be found with the seed that a student has, whichever it is.
-const SEEDS_OF_THE_WRONG: u64 = 20;
+const SEEDS_OF_THE_WRONG: u64 = 5;
 
 fn trial(exercise: &Exercise, program: &Program, seed: u64) -> Examination {
     examine(exercise, seed, &mut InProcess(program.function))
@@ -86,10 +87,10 @@ fn names_are_unique_and_prerequisites_come_first() {
 
 #[test]
 fn every_right_solution_passes_with_every_seed() {
-    for exercise in course::all() {
+    course::all().par_iter().for_each(|exercise| {
         for program in [&exercise.reference].into_iter().chain(&exercise.variants) {
             for seed in 0..SEEDS {
-                let examination = trial(&exercise, program, seed);
+                let examination = trial(exercise, program, seed);
                 assert!(
                     examination.passed(),
                     "{} by {}, seed {seed}: {}",
@@ -100,28 +101,30 @@ fn every_right_solution_passes_with_every_seed() {
                 assert_eq!(examination.points(), exercise.points());
             }
         }
+    });
+}
+
+/// The misconceptions of an exercise that pass or look like something else.
+fn mistaken(exercise: &Exercise) -> Vec<String> {
+    let mut mistaken = Vec::new();
+    for misconception in &exercise.misconceptions {
+        for seed in 0..SEEDS_OF_THE_WRONG {
+            let examination = trial(exercise, &misconception.program, seed);
+            let who = format!("{} by {}, seed {seed}", exercise.name, misconception.program.name);
+            let seen = diagnose(exercise, &examination.answered).map(|d| d.misconception.program.name);
+            if examination.passed() {
+                mistaken.push(format!("{who}: passes"));
+            } else if seen != Some(misconception.program.name) {
+                mistaken.push(format!("{who}: looks like {seen:?}"));
+            }
+        }
     }
+    mistaken
 }
 
 #[test]
 fn every_misconception_fails_and_is_recognized_as_itself() {
-    let mut mistaken = Vec::new();
-    for exercise in course::all() {
-        for misconception in &exercise.misconceptions {
-            for seed in 0..SEEDS_OF_THE_WRONG {
-                let examination = trial(&exercise, &misconception.program, seed);
-                let who = format!("{} by {}, seed {seed}", exercise.name, misconception.program.name);
-                if examination.passed() {
-                    mistaken.push(format!("{who}: passes"));
-                    continue;
-                }
-                let seen = diagnose(&exercise, &examination.answered).map(|d| d.misconception.program.name);
-                if seen != Some(misconception.program.name) {
-                    mistaken.push(format!("{who}: looks like {seen:?}"));
-                }
-            }
-        }
-    }
+    let mistaken: Vec<String> = course::all().par_iter().flat_map_iter(mistaken).collect();
     assert!(mistaken.is_empty(), "{}", mistaken.join("\n"));
 }
 

@@ -1,1 +1,24 @@
-//! tmp
+//! What is a submission worth, and what would help the one who wrote it?
+//!
+//! - [`Judge::judge`]: compiles one file against the [`Kit`], asks it in a process of its own, and says what came of it.
+//! - [`Judgement`]: the outcome, each law, the smallest counterexample, the misconception it looks like, a picture.
+//! - [`Token`]: repeats a judgement to the byte.
+//!
+//! A student's code never runs in this process, and never judges itself: it answers questions with values, and the laws of
+//! `course` judge these.
+
+#![forbid(unsafe_code)]
+
+mod compile;
+mod judge;
+mod judgement;
+mod kit;
+mod process;
+mod token;
+
+pub use compile::Compiler;
+pub use judge::Judge;
+pub use judgement::{Judgement, LooksLike, Outcome, Unreadable, gave};
+pub use kit::{Build, Kit, KitError};
+pub use process::{Limits, Output, Printed};
+pub use token::{NoToken, Token, version};

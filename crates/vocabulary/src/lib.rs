@@ -7,11 +7,15 @@
 
 mod geometry;
 mod lighting;
+mod raytrace;
 mod transforms;
+mod zbuffer;
 
 pub use geometry::{Barycentric, Ray, Sphere, Triangle, Triangle2};
 pub use lighting::{Light, Material, SurfacePoint};
+pub use raytrace::{Ball, Lamp, MirrorBall, TriangleHit};
 pub use transforms::{Basis, ViewVolume};
+pub use zbuffer::{Buffers, Fragment, Occlusion, Pixel};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

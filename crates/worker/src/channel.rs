@@ -1,41 +1,134 @@
 //! Where do questions come from, and where do answers go? Not to standard output: that belongs to the student's code.
+//!
+//! What differs between systems is here and nowhere else: on Unix a socket takes the place of the worker's standard input, elsewhere the worker
+//! connects to a loopback address.
 
 #[cfg(unix)]
 mod here {
     use std::io;
-    use std::os::fd::AsFd;
+    use std::os::fd::{AsFd, OwnedFd};
     use std::os::unix::net::UnixStream;
+    use std::process::Stdio;
+    use std::time::Instant;
 
     /// Both directions in one.
     pub type Channel = UnixStream;
 
-    /// The worker's end: whoever started it put a socket where standard input would be.
+    /// The asking end of a channel before the worker has taken the other.
+    #[derive(Debug)]
+    pub struct Offer {
+        ours: UnixStream,
+        theirs: UnixStream,
+    }
+
+    impl Offer {
+        /// A fresh channel.
+        ///
+        /// # Errors
+        /// What the system gives: too many open files, say.
+        pub fn new() -> io::Result<Self> {
+            let (ours, theirs) = UnixStream::pair()?;
+            Ok(Self { ours, theirs })
+        }
+
+        /// What the worker gets as its first argument.
+        pub fn address(&self) -> io::Result<String> {
+            Ok("stdin".to_owned())
+        }
+
+        /// What the worker gets as its standard input.
+        ///
+        /// # Errors
+        /// What the system gives.
+        pub fn stdin(&self) -> io::Result<Stdio> {
+            Ok(OwnedFd::from(self.theirs.try_clone()?).into())
+        }
+
+        /// The asking end, once the worker runs.
+        ///
+        /// # Errors
+        /// None here; elsewhere a worker that does not connect before the `deadline`.
+        pub fn accept(self, _deadline: Instant) -> io::Result<Channel> {
+            Ok(self.ours)
+        }
+    }
+
+    /// The worker's end.
     ///
     /// # Errors
     /// What duplicating the handle gives.
     pub fn open(_address: &str) -> io::Result<Channel> {
         Ok(UnixStream::from(io::stdin().as_fd().try_clone_to_owned()?))
     }
-
-    /// The end of whoever asks, and what the worker gets as standard input.
-    ///
-    /// # Errors
-    /// What the system gives, too many open files, say.
-    pub fn pair() -> io::Result<(Channel, std::process::Stdio)> {
-        let (ours, theirs) = UnixStream::pair()?;
-        Ok((ours, std::os::fd::OwnedFd::from(theirs).into()))
-    }
 }
 
 #[cfg(not(unix))]
 mod here {
     use std::io;
-    use std::net::TcpStream;
+    use std::net::{Ipv4Addr, TcpListener, TcpStream};
+    use std::process::Stdio;
+    use std::thread;
+    use std::time::{Duration, Instant};
 
     /// Both directions in one.
     pub type Channel = TcpStream;
 
-    /// The worker's end: whoever started it listens at this loopback address.
+    /// The asking end of a channel before the worker has taken the other.
+    #[derive(Debug)]
+    pub struct Offer(TcpListener);
+
+    impl Offer {
+        /// A fresh channel.
+        ///
+        /// # Errors
+        /// What the system gives.
+        pub fn new() -> io::Result<Self> {
+            let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0))?;
+            listener.set_nonblocking(true)?;
+            Ok(Self(listener))
+        }
+
+        /// What the worker gets as its first argument.
+        ///
+        /// # Errors
+        /// What the system gives.
+        pub fn address(&self) -> io::Result<String> {
+            Ok(self.0.local_addr()?.to_string())
+        }
+
+        /// What the worker gets as its standard input.
+        ///
+        /// # Errors
+        /// None here.
+        pub fn stdin(&self) -> io::Result<Stdio> {
+            Ok(Stdio::null())
+        }
+
+        /// The asking end, once the worker has connected.
+        ///
+        /// # Errors
+        /// `TimedOut` if it has not by the `deadline`.
+        pub fn accept(self, deadline: Instant) -> io::Result<Channel> {
+            loop {
+                match self.0.accept() {
+                    Ok((channel, _)) => {
+                        channel.set_nonblocking(false)?;
+                        channel.set_nodelay(true)?;
+                        return Ok(channel);
+                    }
+                    Err(e) if e.kind() == io::ErrorKind::WouldBlock && Instant::now() < deadline => {
+                        thread::sleep(Duration::from_millis(1));
+                    }
+                    Err(e) if e.kind() == io::ErrorKind::WouldBlock => {
+                        return Err(io::ErrorKind::TimedOut.into());
+                    }
+                    Err(e) => return Err(e),
+                }
+            }
+        }
+    }
+
+    /// The worker's end.
     ///
     /// # Errors
     /// What connecting gives.
@@ -46,4 +139,4 @@ mod here {
     }
 }
 
-pub use here::*;
+pub use here::{Channel, Offer, open};

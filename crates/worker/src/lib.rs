@@ -20,7 +20,7 @@ pub mod wire;
 pub use function::{Function, Mismatch, Parameter};
 pub use plain::Plain;
 pub use serve::serve;
-pub use value::Value;
+pub use value::{Value, identical};
 
 #[doc(hidden)]
 pub use {glam, vocabulary};

@@ -8,7 +8,7 @@ use std::thread::{self, ThreadId};
 
 use crate::channel;
 use crate::function::Function;
-use crate::wire::{self, Answer, Panic, Question};
+use crate::wire::{self, Answer, Panic, Question, Ready};
 
 /// The first panic since the call began.
 static PANIC: Mutex<Option<(Panic, ThreadId)>> = Mutex::new(None);
@@ -35,8 +35,10 @@ fn answer_all(functions: &[Function]) -> std::io::Result<()> {
     let mut answers = channel::open(&address)?;
     let mut questions = BufReader::new(answers.try_clone()?);
     panic::set_hook(Box::new(remember));
+    // What fails before this is not the student's doing.
+    wire::send(&mut answers, &Ready)?;
     while let Some(question) = wire::receive::<Question>(&mut questions)? {
-        wire::send(&mut answers, &answer(functions, question))?;
+        wire::send_answer(&mut answers, &answer(functions, question))?;
     }
     Ok(())
 }

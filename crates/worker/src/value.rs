@@ -1,5 +1,6 @@
 //! What travels between the one who asks and the one who answers?
 
+use std::borrow::Cow;
 use std::cell::Cell;
 use std::fmt;
 
@@ -12,7 +13,7 @@ const DEEPEST: u32 = 12;
 /// A value of an exercise: an argument, or what a function returned.
 ///
 /// `Display` writes it as a person would, `(1, 2, 3)` for a vector; floating-point numbers with as many digits as it takes to
-/// read them back exactly.
+/// read them back exactly, but for those near zero.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Value {
     /// Nothing there: `None`, or `()`.
@@ -35,17 +36,25 @@ pub enum Value {
     Record(Record),
 }
 
+/// The name of a struct, a variant or a field: usually a word of the program itself, so that taking a struct apart copies no text.
+pub(crate) type Name = Cow<'static, str>;
+
 /// A struct or a variant of an enum, taken apart.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
     /// Its name, `Ray`, say.
-    pub name: String,
+    pub name: Name,
     /// Its fields in order of declaration.
-    pub fields: Vec<(String, Value)>,
+    pub fields: Vec<(Name, Value)>,
 }
 
 thread_local! {
     static DEPTH: Cell<u32> = const { Cell::new(0) };
+}
+
+/// Whether two lists of arguments are the same to the bit: −0 is not 0 here, since a function may tell them apart.
+pub fn identical(a: &[Value], b: &[Value]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.identical(b))
 }
 
 /// Reads what stands inside another value, unless it stands too deep.
@@ -87,6 +96,22 @@ impl Value {
                 a.fields.iter().zip(&b.fields).map(|((_, a), (_, b))| a.distance(b)),
             ),
             _ => None,
+        }
+    }
+
+    fn identical(&self, other: &Self) -> bool {
+        let bits = |a: &[f32], b: &[f32]| a.iter().map(|x| x.to_bits()).eq(b.iter().map(|x| x.to_bits()));
+        match (self, other) {
+            (Self::Number(a), Self::Number(b)) => a.to_bits() == b.to_bits(),
+            (Self::Vector(a), Self::Vector(b)) | (Self::Matrix(a), Self::Matrix(b)) => bits(a, b),
+            (Self::List(a), Self::List(b)) => identical(a, b),
+            (Self::Record(a), Self::Record(b)) => {
+                a.name == b.name
+                    && a.fields.len() == b.fields.len()
+                    && a.fields.iter().zip(&b.fields).all(|((_, a), (_, b))| a.identical(b))
+            }
+            // What is left holds no numbers of floating point.
+            _ => self == other,
         }
     }
 
@@ -136,11 +161,20 @@ impl fmt::Display for Value {
     }
 }
 
+/// Below this a number is written with two digits and its power of ten…
+const TINY: f32 = 1e-5;
+
+/// …and from here on with all digits and its power of ten.
+const HUGE: f32 = 1e9;
+
 /// Shortest digits that read back as the same number; without "-0", which nobody asked for.
 fn number(f: &mut fmt::Formatter<'_>, x: f32) -> fmt::Result {
     if x == 0.0 {
         f.write_str("0")
-    } else if x.is_finite() && !(1e-5..1e9).contains(&x.abs()) {
+    } else if x.abs() < TINY {
+        // What rounding leaves of a zero: its digits mean nothing.
+        write!(f, "{x:.1e}")
+    } else if x.is_finite() && x.abs() >= HUGE {
         write!(f, "{x:e}")
     } else {
         write!(f, "{x}")

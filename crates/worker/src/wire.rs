@@ -10,6 +10,10 @@ use crate::value::Value;
 /// No message is longer, in bytes: whoever sends more is not answering the question.
 pub const LONGEST: usize = 8 << 20;
 
+/// The first message of a worker: it has its limits and waits for questions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Ready;
+
 /// Calls one function.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Question {
@@ -26,6 +30,8 @@ pub enum Answer {
     Value(Value),
     /// It panicked, or a thread of its did.
     Panicked(Panic),
+    /// It returned more than a message can hold; so many bytes it would take.
+    TooLong(usize),
     /// It was not called: the arguments were not of its types. The mistake of whoever asked.
     Misasked(String),
 }
@@ -48,13 +54,31 @@ pub struct Panic {
 /// # Errors
 /// What writing gives; `InvalidInput` for a message over [`LONGEST`].
 pub fn send<T: Serialize>(to: &mut impl Write, message: &T) -> io::Result<()> {
+    to.write_all(&packed(message)?.map_err(|length| {
+        io::Error::new(io::ErrorKind::InvalidInput, format!("a message of {length} bytes"))
+    })?)
+}
+
+/// Writes an answer; in place of one that is too long, that it is.
+///
+/// # Errors
+/// What writing gives.
+pub fn send_answer(to: &mut impl Write, answer: &Answer) -> io::Result<()> {
+    match packed(answer)? {
+        Ok(bytes) => to.write_all(&bytes),
+        Err(length) => send(to, &Answer::TooLong(length)),
+    }
+}
+
+/// The message with its length before it; its length alone if that is over [`LONGEST`].
+fn packed<T: Serialize>(message: &T) -> io::Result<Result<Vec<u8>, usize>> {
     let mut bytes = postcard::to_extend(message, vec![0; 4]).map_err(io::Error::other)?;
     let length = bytes.len() - 4;
     if length > LONGEST {
-        return Err(io::Error::new(io::ErrorKind::InvalidInput, format!("a message of {length} bytes")));
+        return Ok(Err(length));
     }
     bytes[..4].copy_from_slice(&(length as u32).to_le_bytes());
-    to.write_all(&bytes)
+    Ok(Ok(bytes))
 }
 
 /// Reads one message; `None` where the sender ended between two.

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use testkit::by_hand::{colour, light_colour, unit_vector, weights};
 use vocabulary::Barycentric;
 
-use super::normals::around;
+use super::inputs::around;
 use crate::exercise::{arguments, signature};
 use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
 

@@ -2,7 +2,7 @@
 
 mod face_normal;
 mod gouraud;
-mod normals;
+mod inputs;
 mod phong_shading;
 mod vertex_normals;
 

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use testkit::by_hand::{colour, exponent, light_colour, unit_vector, unit_vector_above, weights};
 use vocabulary::{Barycentric, Material};
 
-use super::normals::around;
+use super::inputs::around;
 use crate::exercise::{arguments, signature};
 use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
 

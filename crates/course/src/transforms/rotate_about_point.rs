@@ -201,7 +201,7 @@ fn clockwise(theta: f32, p: Vec2) -> Mat3 {
 
 fn without_the_minus(theta: f32, p: Vec2) -> Mat3 {
     let (sin, cos) = theta.sin_cos();
-    let squeezed = mat3(vec3(cos, sin, 0.0), vec3(sin, cos, 0.0), vec3(0.0, 0.0, 1.0));
+    let squeezed = glam::mat3(glam::Vec3::new(cos, sin, 0.0), glam::Vec3::new(sin, cos, 0.0), glam::Vec3::Z);
     Mat3::from_translation(p) * squeezed * Mat3::from_translation(-p)
 }
 

@@ -15,15 +15,15 @@ impl Plain for Light {
             Self::Point { position, colour } => ("Point", "position", position, colour),
             Self::Directional { to_light, colour } => ("Directional", "to_light", to_light, colour),
         };
-        let fields = vec![(place.to_owned(), of.into_value()), ("colour".to_owned(), colour.into_value())];
-        Value::Record(Record { name: name.to_owned(), fields })
+        let fields = vec![(place.into(), of.into_value()), ("colour".into(), colour.into_value())];
+        Value::Record(Record { name: name.into(), fields })
     }
 
     fn from_value(value: Value) -> Option<Self> {
         let Value::Record(Record { name, fields }) = value else { return None };
-        let [place, colour]: [(String, Value); 2] = fields.try_into().ok()?;
+        let [place, colour] = <[_; 2]>::try_from(fields).ok()?;
         let (of, colour) = (Plain::from_value(place.1)?, Plain::from_value(colour.1)?);
-        match name.as_str() {
+        match &*name {
             "Point" => Some(Self::Point { position: of, colour }),
             "Directional" => Some(Self::Directional { to_light: of, colour }),
             _ => None,

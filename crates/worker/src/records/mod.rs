@@ -2,7 +2,9 @@
 
 mod geometry;
 mod lighting;
+mod raytrace;
 mod transforms;
+mod zbuffer;
 
 /// How a struct of the vocabulary, `Copy`, becomes a value and an argument.
 macro_rules! record {
@@ -10,8 +12,8 @@ macro_rules! record {
         impl $crate::Plain for $name {
             fn into_value(self) -> $crate::Value {
                 $crate::Value::Record($crate::value::Record {
-                    name: stringify!($name).to_owned(),
-                    fields: vec![$((stringify!($field).to_owned(), self.$field.into_value())),*],
+                    name: stringify!($name).into(),
+                    fields: vec![$((stringify!($field).into(), self.$field.into_value())),*],
                 })
             }
 

@@ -1,0 +1,217 @@
+//! What is a student's file worth, and if it is wrong, how?
+
+use std::cell::RefCell;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use course::diagnosis::diagnose;
+use course::trial::{Examination, examine};
+use course::{Answerer, Exercise, Fault, InProcess, Loss, Picture, Reply, Seen, Value};
+use rayon::prelude::*;
+
+use crate::compile::{Compiler, NotCompiled, Part};
+use crate::judgement::{Judgement, LooksLike, Outcome, Unreadable};
+use crate::kit::{Build, Kit};
+use crate::process::{Limits, Printed, Process};
+use crate::token::Token;
+
+/// A file over this size is not the solution of an exercise, in bytes.
+const LONGEST_FILE: u64 = 1 << 20;
+
+/// Judges students' files.
+#[derive(Clone, Debug)]
+pub struct Judge {
+    /// Makes workers of them.
+    pub compiler: Compiler,
+    /// What these may take.
+    pub limits: Limits,
+    /// A folder for what is made on the way; each judgement uses a folder of its own in it, and removes it.
+    pub scratch: PathBuf,
+    /// Where the kit is remembered, and how it is built again after an update of Rust; `None` if it is not.
+    pub memory: Option<(PathBuf, Build)>,
+}
+
+impl Judge {
+    /// Judges one file by the laws of one exercise. Nothing that the file does makes this fail: what goes wrong is in the
+    /// judgement, and what is not the student's doing is [`Outcome::GraderError`].
+    pub fn judge(&self, exercise: &Exercise, file: &Path, seed: u64) -> Judgement {
+        let blank = Judgement::blank(exercise, Token::new(exercise, seed));
+        if let Some(outcome) = unreadable(file) {
+            return Judgement { outcome, ..blank };
+        }
+        match self.worker(&[Part { exercise, file }]) {
+            Ok(worker) => self.examine(exercise, &worker, 0, seed),
+            Err(outcome) => Judgement { outcome, ..blank },
+        }
+    }
+
+    /// Judges many files, on all processors. They are compiled together, which takes little longer than one; if that fails,
+    /// each on its own, so that one that does not compile costs no other.
+    pub fn judge_all(&self, files: &[(&Exercise, &Path)], seed: u64) -> Vec<Judgement> {
+        let readable: Vec<Part<'_>> = files
+            .iter()
+            .filter(|(_, file)| unreadable(file).is_none())
+            .map(|(exercise, file)| Part { exercise, file })
+            .collect();
+        let together = if readable.len() > 1 { self.worker(&readable).ok() } else { None };
+        let judge = |(exercise, file): &(&Exercise, &Path)| {
+            let place =
+                readable.iter().position(|part| part.file == *file && part.exercise.name == exercise.name);
+            match (&together, place) {
+                (Some(worker), Some(place)) => self.examine(exercise, worker, place as u32, seed),
+                _ => self.judge(exercise, file, seed),
+            }
+        };
+        files.par_iter().map(judge).collect()
+    }
+
+    /// Compiles files into one worker.
+    fn worker(&self, parts: &[Part<'_>]) -> Result<Worker, Outcome> {
+        let folder = fs::create_dir_all(&self.scratch)
+            .and_then(|()| tempfile::Builder::new().prefix("worker-").tempdir_in(&self.scratch))
+            .map_err(|e| {
+                Outcome::GraderError(format!("no folder for the worker in {}: {e}", self.scratch.display()))
+            })?;
+        let program = self.compile(parts, folder.path())?;
+        Ok(Worker { program, _folder: folder })
+    }
+
+    fn compile(&self, parts: &[Part<'_>], folder: &Path) -> Result<PathBuf, Outcome> {
+        let refused = |error| match error {
+            NotCompiled::Refused { message, note } => Outcome::DoesNotCompile { message, note },
+            NotCompiled::OldKit => {
+                Outcome::GraderError("the libraries are of another version of Rust".to_owned())
+            }
+            NotCompiled::Failed(e) => Outcome::GraderError(format!("rustc: {e}")),
+        };
+        match (self.compiler.worker(parts, folder), &self.memory) {
+            (Ok(program), _) => Ok(program),
+            (Err(NotCompiled::OldKit), Some((memory, build))) => {
+                Kit::forget(memory);
+                let kit = Kit::remembered(&self.compiler.root, *build, memory)
+                    .map_err(|e| Outcome::GraderError(e.to_string()))?;
+                Compiler { kit, ..self.compiler.clone() }.worker(parts, folder).map_err(refused)
+            }
+            (Err(error), _) => Err(refused(error)),
+        }
+    }
+
+    /// Asks one function of a worker.
+    fn examine(&self, exercise: &Exercise, worker: &Worker, function: u32, seed: u64) -> Judgement {
+        let blank = Judgement::blank(exercise, Token::new(exercise, seed));
+        let process = || Process::new(worker.program.clone(), function, self.limits);
+        let mut asked = process();
+        let examination = examine(exercise, seed, &mut asked);
+        let printed = asked.finish();
+        match examination {
+            Ok(examination) => weigh(exercise, examination, printed, process, blank),
+            Err(fault) => Judgement { outcome: Outcome::GraderError(fault.to_string()), printed, ..blank },
+        }
+    }
+}
+
+/// A compiled worker; its folder goes with it.
+struct Worker {
+    program: PathBuf,
+    _folder: tempfile::TempDir,
+}
+
+/// What an examination comes to.
+fn weigh(
+    exercise: &Exercise,
+    examination: Examination,
+    printed: Printed,
+    process: impl FnOnce() -> Process,
+    blank: Judgement,
+) -> Judgement {
+    let outcome = outcome(&examination);
+    let wrong = matches!(outcome, Outcome::Wrong);
+    let looks_like = if wrong { looks_like(exercise, &examination) } else { None };
+    let picture = if wrong { picture(exercise, &examination, process()) } else { None };
+    let points = examination.points();
+    Judgement { outcome, points, laws: examination.laws, looks_like, picture, printed, ..blank }
+}
+
+/// The counterexample's last call, drawn.
+fn picture(exercise: &Exercise, examination: &Examination, process: Process) -> Option<Picture> {
+    let (_, counterexample) = examination.counterexample()?;
+    let (arguments, reply) = counterexample.calls.last()?;
+    let Reply::Value(given) = reply else { return None };
+    let reference = InProcess(exercise.reference.function);
+    let Ok(Reply::Value(right)) = reference.reply(arguments) else { return None };
+    let asked = RefCell::new(process);
+    let yours = |questions: &[Vec<Value>]| values(&mut *asked.borrow_mut(), questions);
+    let right_ones =
+        |questions: &[Vec<Value>]| values(&mut InProcess(exercise.reference.function), questions);
+    let seen = Seen { arguments, given: Some(given), right: &right, yours: &yours, reference: &right_ones };
+    (exercise.draw)(&seen)
+}
+
+/// Answers where there are some; after a loss nothing more is asked.
+fn values(answerer: &mut dyn Answerer, questions: &[Vec<Value>]) -> Vec<Option<Value>> {
+    let replies: Result<Vec<Reply>, Fault> = answerer.ask(questions);
+    let mut values: Vec<Option<Value>> = replies
+        .unwrap_or_default()
+        .into_iter()
+        .map(|reply| if let Reply::Value(value) = reply { Some(value) } else { None })
+        .collect();
+    values.resize(questions.len(), None);
+    values
+}
+
+/// What can be said of a file without compiling it.
+fn unreadable(file: &Path) -> Option<Outcome> {
+    let missing = |why| Some(Outcome::Unreadable(why));
+    match fs::metadata(file) {
+        Err(e) if e.kind() == io::ErrorKind::NotFound => return missing(Unreadable::Missing),
+        Err(e) => return missing(Unreadable::Io(e.to_string())),
+        Ok(metadata) if !metadata.is_file() => return missing(Unreadable::NotAFile),
+        Ok(metadata) if metadata.len() > LONGEST_FILE => return missing(Unreadable::TooLong),
+        Ok(_) => {}
+    }
+    match fs::read(file) {
+        Err(e) => missing(Unreadable::Io(e.to_string())),
+        Ok(bytes) => match std::str::from_utf8(&bytes) {
+            Ok(text) if text.trim_start_matches('\u{feff}').trim().is_empty() => missing(Unreadable::Empty),
+            Ok(_) => None,
+            Err(e) => {
+                let line = 1 + bytes[..e.valid_up_to()].iter().filter(|byte| **byte == b'\n').count();
+                missing(Unreadable::NotUtf8 { line })
+            }
+        },
+    }
+}
+
+/// One word for the whole: that of the first law that does not hold.
+fn outcome(examination: &Examination) -> Outcome {
+    if examination.not_started {
+        return Outcome::NotStarted;
+    }
+    let Some((_, counterexample)) = examination.counterexample() else {
+        return if examination.passed() {
+            Outcome::Passed
+        } else {
+            Outcome::GraderError("some laws were not tried, though none failed".to_owned())
+        };
+    };
+    match counterexample.calls.last() {
+        Some((_, Reply::Panicked(panic))) => Outcome::Panicked(panic.clone()),
+        Some((_, Reply::Lost(Loss::TimedOut(limit)))) => Outcome::TimedOut(*limit),
+        Some((_, Reply::Lost(Loss::OutOfMemory))) => Outcome::OutOfMemory,
+        Some((_, Reply::Lost(Loss::StackOverflow))) => Outcome::StackOverflow,
+        Some((_, Reply::Lost(Loss::Exited(code)))) => Outcome::Exited(*code),
+        Some((_, Reply::Lost(Loss::Crashed(how)))) => Outcome::Crashed(how.clone()),
+        Some((_, Reply::Value(_))) | None => Outcome::Wrong,
+    }
+}
+
+fn looks_like(exercise: &Exercise, examination: &Examination) -> Option<LooksLike> {
+    diagnose(exercise, &examination.answered).map(|diagnosis| LooksLike {
+        misconception: diagnosis.misconception.program.name,
+        what: diagnosis.misconception.looks_like,
+        help: diagnosis.misconception.help,
+        agreeing: diagnosis.agreeing,
+        telling: diagnosis.telling,
+    })
+}

@@ -1,0 +1,181 @@
+//! What is a student's file compiled against? The worker, the vocabulary and glam, built once by cargo and remembered.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::SystemTime;
+
+use serde_json::{Value as Json, json};
+
+/// The libraries that a student's file is compiled against.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Kit {
+    /// The compiler itself, not a launcher that looks for it anew each time.
+    pub(crate) rustc: PathBuf,
+    /// `libworker-….rlib`.
+    worker: PathBuf,
+    /// `libvocabulary-….rlib`.
+    vocabulary: PathBuf,
+    /// `libglam-….rlib`.
+    glam: PathBuf,
+}
+
+/// What cargo is asked to build.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Build {
+    /// A package of the workspace that has the libraries among its dependencies: that of the running program, since the same library may
+    /// be built with other features for another one.
+    pub package: &'static str,
+    /// The profile, "release" or "dev": that of the running program.
+    pub profile: &'static str,
+}
+
+impl Build {
+    /// For a program of this package, with the profile that this library was built with.
+    pub fn of(package: &'static str) -> Self {
+        Self { package, profile: if cfg!(debug_assertions) { "dev" } else { "release" } }
+    }
+}
+
+/// Why there is no kit.
+#[derive(Debug, thiserror::Error)]
+pub enum KitError {
+    /// Cargo did not start.
+    #[error("cargo does not start: {0}")]
+    Cargo(io::Error),
+    /// Cargo could not build the libraries.
+    #[error("the libraries for students' code cannot be built:\n{0}")]
+    Build(String),
+    /// Cargo built, but not all that was wanted.
+    #[error("cargo built no library `{0}`")]
+    Missing(&'static str),
+}
+
+impl Kit {
+    /// Builds the libraries in the workspace at `root`, or finds them already built.
+    ///
+    /// They are those of `build`: the libraries that the running program itself is made with need not be built again.
+    ///
+    /// # Errors
+    /// [`KitError`]: cargo is not there, or fails.
+    pub fn build(root: &Path, build: Build) -> Result<Self, KitError> {
+        let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+        let output = Command::new(cargo)
+            .current_dir(root)
+            .args(["build", "--package", build.package, "--profile", build.profile])
+            .args(["--message-format", "json-render-diagnostics"])
+            .stdin(Stdio::null())
+            .output()
+            .map_err(KitError::Cargo)?;
+        if !output.status.success() {
+            return Err(KitError::Build(String::from_utf8_lossy(&output.stderr).into_owned()));
+        }
+        let messages: Vec<Json> = String::from_utf8_lossy(&output.stdout)
+            .lines()
+            .filter_map(|line| serde_json::from_str(line).ok())
+            .collect();
+        let library = |name| library(&messages, name).ok_or(KitError::Missing(name));
+        Ok(Self {
+            rustc: rustc(root),
+            worker: library("worker")?,
+            vocabulary: library("vocabulary")?,
+            glam: library("glam")?,
+        })
+    }
+
+    /// The kit that `memory` remembers, or a fresh one, which it then remembers. What is remembered counts as long as its files are
+    /// there and the running program has not changed.
+    ///
+    /// # Errors
+    /// [`KitError`], from building.
+    pub fn remembered(root: &Path, build: Build, memory: &Path) -> Result<Self, KitError> {
+        let program = this_program();
+        if let Some(kit) = recall(memory, &program) {
+            return Ok(kit);
+        }
+        let kit = Self::build(root, build)?;
+        // A kit that cannot be remembered is built again next time: slower, not wrong.
+        let _ = kit.remember(memory, &program);
+        Ok(kit)
+    }
+
+    /// Forgets what `memory` remembers: after an update of Rust the libraries must be built again.
+    pub fn forget(memory: &Path) {
+        let _ = fs::remove_file(memory);
+    }
+
+    /// The arguments that make rustc find the libraries.
+    pub(crate) fn arguments(&self) -> Vec<std::ffi::OsString> {
+        let mut arguments = Vec::new();
+        for (name, path) in [("worker", &self.worker), ("vocabulary", &self.vocabulary), ("glam", &self.glam)]
+        {
+            let mut library = std::ffi::OsString::from(format!("{name}="));
+            library.push(path);
+            arguments.extend(["--extern".into(), library]);
+        }
+        if let Some(folder) = self.worker.parent() {
+            let mut dependencies = std::ffi::OsString::from("dependency=");
+            dependencies.push(deps_beside(folder));
+            arguments.extend(["-L".into(), dependencies]);
+        }
+        arguments
+    }
+
+    fn remember(&self, memory: &Path, program: &str) -> io::Result<()> {
+        let text = json!({
+            "program": program,
+            "rustc": self.rustc.to_string_lossy(),
+            "worker": self.worker.to_string_lossy(),
+            "vocabulary": self.vocabulary.to_string_lossy(),
+            "glam": self.glam.to_string_lossy(),
+        });
+        fs::write(memory, text.to_string())
+    }
+}
+
+fn recall(memory: &Path, program: &str) -> Option<Kit> {
+    let remembered: Json = serde_json::from_str(&fs::read_to_string(memory).ok()?).ok()?;
+    if remembered["program"].as_str()? != program {
+        return None;
+    }
+    let path = |name: &str| remembered[name].as_str().map(PathBuf::from).filter(|path| path.is_file());
+    Some(Kit {
+        rustc: path("rustc")?,
+        worker: path("worker")?,
+        vocabulary: path("vocabulary")?,
+        glam: path("glam")?,
+    })
+}
+
+/// The running program and when it was built.
+fn this_program() -> String {
+    let path = std::env::current_exe().unwrap_or_default();
+    let built =
+        fs::metadata(&path).and_then(|metadata| metadata.modified()).unwrap_or(SystemTime::UNIX_EPOCH);
+    format!("{} {built:?}", path.display())
+}
+
+fn library(messages: &[Json], name: &str) -> Option<PathBuf> {
+    let artifact = messages
+        .iter()
+        .find(|message| message["reason"] == "compiler-artifact" && message["target"]["name"] == name)?;
+    let files = artifact["filenames"].as_array()?;
+    files.iter().filter_map(Json::as_str).find(|file| file.ends_with(".rlib")).map(PathBuf::from)
+}
+
+/// The compiler that cargo takes: `RUSTC` if somebody chose one; else the one in the toolchain's own folder.
+fn rustc(root: &Path) -> PathBuf {
+    if let Some(chosen) = std::env::var_os("RUSTC") {
+        return chosen.into();
+    }
+    let sysroot = Command::new("rustc").current_dir(root).args(["--print", "sysroot"]).output().ok();
+    let sysroot = sysroot.and_then(|output| String::from_utf8(output.stdout).ok()).unwrap_or_default();
+    let found = Path::new(sysroot.trim()).join("bin").join(format!("rustc{}", std::env::consts::EXE_SUFFIX));
+    if found.is_file() { found } else { "rustc".into() }
+}
+
+/// Where cargo puts the libraries that others need: `deps`, in which a registry's library lies itself.
+fn deps_beside(folder: &Path) -> PathBuf {
+    if folder.ends_with("deps") { folder.to_owned() } else { folder.join("deps") }
+}

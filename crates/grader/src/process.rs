@@ -1,0 +1,310 @@
+//! How is a worker asked, and how does one see that it will not answer any more?
+
+use std::io::{self, BufReader, Read};
+use std::path::PathBuf;
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use course::{Answerer, Fault, Loss, Reply, Value};
+use worker::channel::{Channel, Offer};
+use worker::wire::{self, Answer, Question, Ready};
+
+/// So much of what a student's code prints is kept, in bytes; of the rest only the amount.
+const KEPT: usize = 16 << 10;
+
+/// So much of the end is kept, in bytes: the words with which Rust ends a process fit in.
+const LAST: usize = 1 << 10;
+
+/// A worker that does not even begin within this time is not to blame on the student's code: none of it runs until then.
+const TO_BEGIN: Duration = Duration::from_secs(20);
+
+/// After its end a worker's last words are waited for so long: a process that it left behind may hold its output open.
+const LAST_WORDS: Duration = Duration::from_millis(200);
+
+/// What a worker may take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// For one call.
+    pub time: Duration,
+    /// In bytes, of address space.
+    pub memory: u64,
+}
+
+impl Default for Limits {
+    /// Two seconds a call, one GiB: far more than any exercise needs, even on a busy machine.
+    fn default() -> Self {
+        Self { time: Duration::from_secs(2), memory: 1 << 30 }
+    }
+}
+
+/// What a student's code printed.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Printed {
+    /// On standard output.
+    pub out: Output,
+    /// On standard error.
+    pub err: Output,
+}
+
+/// What was printed on one stream.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Output {
+    /// The beginning.
+    pub text: String,
+    /// Further bytes that were not kept.
+    pub dropped: usize,
+}
+
+/// Answers by a worker process; after a loss the next question starts a new one.
+#[derive(Debug)]
+pub(crate) struct Process {
+    worker: PathBuf,
+    /// Which of the worker's functions is asked.
+    function: u32,
+    limits: Limits,
+    running: Option<Running>,
+    printed: [Arc<Mutex<Kept>>; 2],
+}
+
+#[derive(Debug)]
+struct Running {
+    child: Child,
+    channel: Channel,
+    answers: BufReader<Channel>,
+    outputs: Vec<thread::JoinHandle<()>>,
+}
+
+#[derive(Debug, Default)]
+struct Kept {
+    bytes: Vec<u8>,
+    dropped: usize,
+    /// The end of what the worker that runs now printed, kept or not: its last words.
+    last: Vec<u8>,
+}
+
+impl Kept {
+    fn add(&mut self, bytes: &[u8]) {
+        let room = KEPT.saturating_sub(self.bytes.len()).min(bytes.len());
+        self.bytes.extend_from_slice(&bytes[..room]);
+        self.dropped += bytes.len() - room;
+        self.last.extend_from_slice(bytes);
+        let surplus = self.last.len().saturating_sub(LAST);
+        self.last.drain(..surplus);
+    }
+}
+
+impl Process {
+    pub(crate) fn new(worker: PathBuf, function: u32, limits: Limits) -> Self {
+        Self { worker, function, limits, running: None, printed: Default::default() }
+    }
+
+    /// Ends the worker and gives what it printed.
+    pub(crate) fn finish(mut self) -> Printed {
+        if let Some(mut running) = self.running.take() {
+            // Nobody asks any more: an honest worker ends by itself and writes out what it still holds.
+            let _ = running.channel.shutdown(std::net::Shutdown::Both);
+            let patience = Instant::now() + LAST_WORDS;
+            while Instant::now() < patience && matches!(running.child.try_wait(), Ok(None)) {
+                thread::sleep(Duration::from_micros(200));
+            }
+            end(&mut running);
+        }
+        let [out, err] = &self.printed;
+        Printed { out: output(out), err: output(err) }
+    }
+
+    fn start(&mut self) -> Result<Running, Fault> {
+        let fault = |what: &str, e: io::Error| Fault(format!("{what}: {e}"));
+        let offer = Offer::new().map_err(|e| fault("no channel to the worker", e))?;
+        let mut child = Command::new(&self.worker)
+            .arg(offer.address().map_err(|e| fault("no channel to the worker", e))?)
+            .arg(self.limits.memory.to_string())
+            .env_clear()
+            .stdin(offer.stdin().map_err(|e| fault("no channel to the worker", e))?)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .map_err(|e| fault("the worker does not start", e))?;
+        locked(&self.printed[1]).last.clear();
+        let pipes: [Option<Box<dyn Read + Send>>; 2] = [
+            child.stdout.take().map(|pipe| Box::new(pipe) as Box<dyn Read + Send>),
+            child.stderr.take().map(|pipe| Box::new(pipe) as Box<dyn Read + Send>),
+        ];
+        let outputs = pipes
+            .into_iter()
+            .zip(&self.printed)
+            .filter_map(|(pipe, kept)| {
+                let kept = Arc::clone(kept);
+                pipe.map(|pipe| thread::spawn(move || keep(pipe, &kept)))
+            })
+            .collect();
+        let begun = offer.accept(Instant::now() + TO_BEGIN).and_then(|channel| {
+            channel.set_read_timeout(Some(TO_BEGIN))?;
+            let answers = BufReader::new(channel.try_clone()?);
+            Ok((channel, answers))
+        });
+        let (channel, answers) = match begun {
+            Ok(ends) => ends,
+            Err(e) => {
+                let _ = child.kill();
+                let _ = child.wait();
+                return Err(fault("the worker does not connect", e));
+            }
+        };
+        let mut running = Running { child, channel, answers, outputs };
+        match wire::receive::<Ready>(&mut running.answers) {
+            Ok(Some(Ready)) => {}
+            other => {
+                let status = end(&mut running);
+                let words = output(&self.printed[1]).text;
+                return Err(Fault(format!("the worker did not begin ({other:?}, {status:?}): {words}")));
+            }
+        }
+        running
+            .channel
+            .set_read_timeout(Some(self.limits.time))
+            .map_err(|e| fault("no time limit can be set", e))?;
+        Ok(running)
+    }
+
+    /// Why the worker is gone, after its channel was closed or stood still.
+    fn loss(&mut self, mut running: Running, error: Option<io::Error>) -> Loss {
+        let stood_still = error
+            .as_ref()
+            .is_some_and(|e| matches!(e.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut));
+        if stood_still {
+            end(&mut running);
+            return Loss::TimedOut(u64::try_from(self.limits.time.as_millis()).unwrap_or(u64::MAX));
+        }
+        // The channel is closed: the process is ending, or the student's code closed what is not its own.
+        let patience = Instant::now() + self.limits.time;
+        while Instant::now() < patience && matches!(running.child.try_wait(), Ok(None)) {
+            thread::sleep(Duration::from_micros(200));
+        }
+        let status = end(&mut running);
+        let words = String::from_utf8_lossy(&locked(&self.printed[1]).last).into_owned();
+        let strange = error.filter(|e| e.kind() == io::ErrorKind::InvalidData);
+        match (status, strange) {
+            _ if words.contains("has overflowed its stack") => Loss::StackOverflow,
+            _ if words.contains("memory allocation of") => Loss::OutOfMemory,
+            (_, Some(error)) if error.get_ref().is_some_and(|inner| inner.is::<TooLong>()) => {
+                Loss::Crashed(error.to_string())
+            }
+            (_, Some(error)) => Loss::Crashed(format!("it sent something that is no answer: {error}")),
+            (Some(status), None) => exited(status),
+            (None, None) => Loss::Crashed("it closed the channel of answers".to_owned()),
+        }
+    }
+}
+
+/// An answer of so many bytes, more than a message can hold.
+#[derive(Debug, thiserror::Error)]
+#[error("its answer would take {0} bytes")]
+struct TooLong(usize);
+
+impl Answerer for Process {
+    fn ask(&mut self, questions: &[Vec<Value>]) -> Result<Vec<Reply>, Fault> {
+        let mut running = match self.running.take() {
+            Some(running) => running,
+            None => self.start()?,
+        };
+        let mut replies = Vec::with_capacity(questions.len());
+        let mut asking =
+            running.channel.try_clone().map_err(|e| Fault(format!("no channel to the worker: {e}")))?;
+        let function = self.function;
+        let ended: Result<(), Option<io::Error>> = thread::scope(|scope| {
+            // Written by a thread of its own: with both ends full, each would wait for the other.
+            scope.spawn(move || {
+                for arguments in questions {
+                    let question = Question { function, arguments: arguments.clone() };
+                    // A worker that is gone is noticed by the one who reads.
+                    if wire::send(&mut asking, &question).is_err() {
+                        break;
+                    }
+                }
+            });
+            for _ in questions {
+                match wire::receive::<Answer>(&mut running.answers) {
+                    Ok(Some(Answer::Value(value))) => replies.push(Ok(Reply::Value(value))),
+                    Ok(Some(Answer::Panicked(panic))) => replies.push(Ok(Reply::Panicked(panic))),
+                    Ok(Some(Answer::TooLong(bytes))) => {
+                        let long = io::Error::new(io::ErrorKind::InvalidData, TooLong(bytes));
+                        return stop(&running, Some(long));
+                    }
+                    Ok(Some(Answer::Misasked(what))) => replies.push(Err(Fault(what))),
+                    Ok(None) => return stop(&running, None),
+                    Err(e) => return stop(&running, Some(e)),
+                }
+            }
+            Ok(())
+        });
+        match ended {
+            Ok(()) => self.running = Some(running),
+            Err(error) => replies.push(Ok(Reply::Lost(self.loss(running, error)))),
+        }
+        replies.into_iter().collect()
+    }
+}
+
+/// Closes the asking side, so that the thread that writes comes to an end.
+fn stop(running: &Running, error: Option<io::Error>) -> Result<(), Option<io::Error>> {
+    let _ = running.channel.shutdown(std::net::Shutdown::Both);
+    Err(error)
+}
+
+impl Drop for Process {
+    fn drop(&mut self) {
+        if let Some(running) = &mut self.running {
+            end(running);
+        }
+    }
+}
+
+/// Kills what still runs and waits for its last words.
+fn end(running: &mut Running) -> Option<ExitStatus> {
+    let _ = running.child.kill();
+    let status = running.child.wait().ok();
+    let patience = Instant::now() + LAST_WORDS;
+    for output in running.outputs.drain(..) {
+        while !output.is_finished() && Instant::now() < patience {
+            thread::sleep(Duration::from_micros(100));
+        }
+    }
+    status
+}
+
+#[cfg(unix)]
+fn exited(status: ExitStatus) -> Loss {
+    use std::os::unix::process::ExitStatusExt;
+    match status.signal() {
+        Some(signal) => Loss::Crashed(format!("ended by signal {signal}")),
+        None => Loss::Exited(status.code().unwrap_or_default()),
+    }
+}
+
+#[cfg(not(unix))]
+fn exited(status: ExitStatus) -> Loss {
+    status.code().map_or_else(|| Loss::Crashed("ended".to_owned()), Loss::Exited)
+}
+
+/// Reads all that is printed, so that printing never waits, and keeps the beginning.
+fn keep(mut pipe: impl Read, kept: &Mutex<Kept>) {
+    let mut buffer = [0; 4096];
+    while let Ok(count) = pipe.read(&mut buffer) {
+        if count == 0 {
+            break;
+        }
+        locked(kept).add(&buffer[..count]);
+    }
+}
+
+fn output(kept: &Mutex<Kept>) -> Output {
+    let kept = locked(kept);
+    Output { text: String::from_utf8_lossy(&kept.bytes).into_owned(), dropped: kept.dropped }
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}

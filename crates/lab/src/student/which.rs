@@ -1,0 +1,132 @@
+//! Which exercise is meant by a name, a file or a concept?
+
+use std::path::{Path, PathBuf};
+
+use course::{Concept, Exercise};
+
+use super::workbench::Workbench;
+use crate::failure::Failure;
+
+/// An exercise and the file to judge it by.
+#[derive(Debug)]
+pub(crate) struct Meant {
+    /// The exercise.
+    pub(crate) exercise: Exercise,
+    /// Its file: the student's own, or one from elsewhere that was named.
+    pub(crate) file: PathBuf,
+}
+
+/// What the words on the command line mean, in the order of the exercises, each once.
+///
+/// # Errors
+/// [`Failure`] for a word that means nothing, with the nearest that does.
+pub(crate) fn meant(bench: &Workbench, words: &[String]) -> Result<Vec<Meant>, Failure> {
+    let mut chosen: Vec<(usize, PathBuf)> = Vec::new();
+    let exercises = course::all();
+    for word in words {
+        for (at, file) in of_word(bench, &exercises, word)? {
+            if chosen.iter().all(|other| *other != (at, file.clone())) {
+                chosen.push((at, file));
+            }
+        }
+    }
+    chosen.sort_by_key(|(at, _)| *at);
+    let mut exercises: Vec<Option<Exercise>> = exercises.into_iter().map(Some).collect();
+    Ok(chosen
+        .into_iter()
+        .filter_map(|(at, file)| {
+            let exercise = exercises[at].take().or_else(|| course::all().into_iter().nth(at))?;
+            Some(Meant { exercise, file })
+        })
+        .collect())
+}
+
+/// All exercises, each with the student's own file.
+pub(crate) fn all(bench: &Workbench) -> Vec<Meant> {
+    course::all().into_iter().map(|exercise| Meant { file: bench.file(&exercise), exercise }).collect()
+}
+
+/// The one exercise of this name; concepts and files from elsewhere are not meant here.
+///
+/// # Errors
+/// [`Failure`] if there is none, with the nearest that there is.
+pub(crate) fn one(bench: &Workbench, word: &str) -> Result<Exercise, Failure> {
+    let exercises = course::all();
+    let places = of_word(bench, &exercises, word)?;
+    match places.as_slice() {
+        [(at, _)] => exercises.into_iter().nth(*at).ok_or_else(|| unknown(word)),
+        _ => Err(Failure::new(
+            format!("{word} is a concept with {} exercises", places.len()),
+            "give the name of one exercise; `cargo lab` lists them",
+        )),
+    }
+}
+
+fn of_word(bench: &Workbench, exercises: &[Exercise], word: &str) -> Result<Vec<(usize, PathBuf)>, Failure> {
+    if let Some(at) = exercises.iter().position(|exercise| exercise.name == word) {
+        return Ok(vec![(at, bench.file(&exercises[at]))]);
+    }
+    if let Some(concept) = Concept::ALL.into_iter().find(|concept| concept.name() == word) {
+        let of_concept = exercises.iter().enumerate().filter(|(_, exercise)| exercise.concept == concept);
+        return Ok(of_concept.map(|(at, exercise)| (at, bench.file(exercise))).collect());
+    }
+    let path = Path::new(word);
+    if word.ends_with(".rs") || path.components().count() > 1 {
+        return of_path(bench, exercises, path).map(|found| vec![found]);
+    }
+    Err(unknown(word))
+}
+
+/// A file is an exercise's by its name; it may lie anywhere.
+fn of_path(bench: &Workbench, exercises: &[Exercise], path: &Path) -> Result<(usize, PathBuf), Failure> {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let Some(at) = exercises.iter().position(|exercise| exercise.name == stem) else {
+        return Err(Failure::new(
+            format!("{} is not called like an exercise", path.display()),
+            format!("give the file the name of its exercise: {}", nearest(&stem)),
+        ));
+    };
+    // `transforms/lambert.rs` may also be meant from the folder of exercises.
+    let in_exercises = bench.root.join("exercises").join(path);
+    let in_root = bench.root.join(path);
+    let found = [path.to_owned(), in_root, in_exercises].into_iter().find(|candidate| candidate.is_file());
+    let file = found.unwrap_or_else(|| path.to_owned());
+    Ok((at, std::path::absolute(&file).unwrap_or(file)))
+}
+
+fn unknown(word: &str) -> Failure {
+    Failure::new(
+        format!("there is no exercise or concept called {word}"),
+        format!("did you mean {}? `cargo lab` lists all of them", nearest(word)),
+    )
+}
+
+/// The name that is nearest to what was typed.
+fn nearest(word: &str) -> String {
+    let names = course::all().into_iter().map(|exercise| exercise.name);
+    let names: Vec<&str> = names.chain(Concept::ALL.map(Concept::name)).collect();
+    let word = word.to_lowercase().replace(['-', ' '], "_");
+    // What was typed may be the beginning or a part of the name; letters in another order cost as much as one that is wrong.
+    let likeness = |name: &str| {
+        let part = if !word.is_empty() && name.contains(&word) { 0.5 } else { 0.0 };
+        part + strsim::jaro_winkler(name, &word)
+    };
+    let best = names.into_iter().max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
+    best.unwrap_or_default().to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slip_of_the_finger_finds_the_name() {
+        for typo in
+            ["rotate-about-point", "rotate_abuot_point", "rotate", "Rotate_About_Point", "rotat_about_piont"]
+        {
+            assert_eq!(nearest(typo), "rotate_about_point", "{typo}");
+        }
+        assert_eq!(nearest("zbufer"), "zbuffer");
+        assert_eq!(nearest("transform"), "transforms");
+    }
+}
