@@ -46,3 +46,11 @@ pub mod lighting {
     pub mod phong_highlight;
     pub mod reflection;
 }
+
+/// How do a few normals make a smooth surface?
+pub mod shading {
+    pub mod face_normal;
+    pub mod gouraud;
+    pub mod phong_shading;
+    pub mod vertex_normals;
+}
