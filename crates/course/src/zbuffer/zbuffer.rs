@@ -29,7 +29,7 @@ const STUB: &str = r#"//! The z-buffer algorithm (L16).
 use glam::Vec3;
 use vocabulary::{Buffers, Fragment};
 
-pub fn z_buffer_algorithm(fragments: &[Fragment], background: Vec3, width: u32, height: u32) -> Buffers {
+pub fn zbuffer(fragments: &[Fragment], background: Vec3, width: u32, height: u32) -> Buffers {
     todo!()
 }
 "#;
@@ -41,7 +41,7 @@ const EXACT: f32 = 0.0;
 
 pub(super) fn exercise() -> Exercise {
     Exercise {
-        name: "z_buffer_algorithm",
+        name: "zbuffer",
         concept: Concept::Zbuffer,
         items: "L16, L17, E16",
         title: Title { english: "The z-buffer algorithm", dutch: "Het z-bufferalgoritme" },
@@ -66,7 +66,7 @@ pub(super) fn exercise() -> Exercise {
             with few bits many become equal: z-fighting. What lies behind is forgotten, so something transparent cannot be \
             mixed in later (L19).",
         draw: drawing::grids,
-        source: include_str!("z_buffer_algorithm.rs"),
+        source: include_str!("zbuffer.rs"),
     }
 }
 
