@@ -269,7 +269,7 @@ fn parallel_forgotten(ray: Ray, triangle: Triangle) -> Option<TriangleHit> {
         return None;
     }
     let gamma = to_b.dot(to_e.cross(d)) / determinant;
-    if gamma < 0.0 || gamma > 1.0 {
+    if !(0.0..=1.0).contains(&gamma) {
         return None;
     }
     let beta = to_e.dot(to_c.cross(d)) / determinant;

@@ -207,7 +207,7 @@ fn without_the_minus(theta: f32, p: Vec2) -> Mat3 {
 }
 
 fn transposed(theta: f32, p: Vec2) -> Mat3 {
-    slide(theta, p).transpose()
+    (Mat3::from_translation(p) * Mat3::from_angle(theta) * Mat3::from_translation(-p)).transpose()
 }
 
 fn about_the_origin(theta: f32, _p: Vec2) -> Mat3 {
