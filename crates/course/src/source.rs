@@ -1,4 +1,5 @@
-//! How does a program of an exercise's file become a student's file? Its function is cut out and stands where `todo!()` stood.
+//! How does a program of an exercise's file become a student's file? Its function is cut out and stands where `todo!()` stood; functions of the
+//! same file that it calls come along.
 
 use crate::exercise::{Exercise, Program};
 
@@ -8,9 +9,10 @@ impl Exercise {
     pub fn submission(&self, program: &Program) -> Option<String> {
         let function = cut_out(self.source, program.name)?;
         let signature = self.stub.find(&format!("pub fn {}", self.name))?;
-        let body = function.find('{')?;
-        let named = format!("pub fn {}{}", self.name, &function[function.find('(')?..body]);
-        Some(format!("{}{named}{}\n", &self.stub[..signature], &function[body..]))
+        let named = format!("pub fn {}{}", self.name, &function[function.find('(')?..]);
+        let called: String =
+            called(self.source, program.name, function).map(|text| format!("\n{text}\n")).collect();
+        Some(format!("{}{named}\n{called}", &self.stub[..signature]))
     }
 }
 
@@ -19,4 +21,51 @@ fn cut_out<'a>(source: &'a str, name: &str) -> Option<&'a str> {
     let begin = source.find(&format!("\nfn {name}("))? + 1;
     let end = begin + source[begin..].find("\n}\n")? + 2;
     Some(&source[begin..end])
+}
+
+/// The other top-level functions that a function calls, and that these call, in the order in which they are met.
+fn called<'a>(source: &'a str, name: &str, function: &'a str) -> impl Iterator<Item = &'a str> {
+    let names: Vec<&str> = source
+        .lines()
+        .filter_map(|line| line.strip_prefix("fn ")?.split_once('(').map(|(name, _)| name))
+        .collect();
+    let mut met: Vec<&str> = vec![name];
+    let mut texts: Vec<&'a str> = vec![function];
+    let mut at = 0;
+    while at < texts.len() {
+        for name in &names {
+            if !met.contains(name)
+                && calls(texts[at], name)
+                && let Some(text) = cut_out(source, name)
+            {
+                met.push(name);
+                texts.push(text);
+            }
+        }
+        at += 1;
+    }
+    texts.into_iter().skip(1)
+}
+
+/// Whether the name stands in the text as a word of its own, before a parenthesis.
+fn calls(text: &str, name: &str) -> bool {
+    text.match_indices(&format!("{name}(")).any(|(at, _)| {
+        !text[..at].ends_with(|before: char| before.is_alphanumeric() || "_.:".contains(before))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SOURCE: &str = "\nfn one(x: f32) -> f32 {\n    two(x) + one_more(x)\n}\n\nfn two(x: f32) -> f32 {\n    three(x)\n}\n\n\
+                          fn three(x: f32) -> f32 {\n    x.four()\n}\n\nfn four() {\n}\n\nfn more() {\n}\n";
+
+    #[test]
+    fn a_function_brings_those_that_it_calls() {
+        let one = cut_out(SOURCE, "one").unwrap();
+        assert!(one.starts_with("fn one(x") && one.ends_with('}'));
+        let heads: Vec<&str> = called(SOURCE, "one", one).map(|text| &text[..8]).collect();
+        assert_eq!(heads, ["fn two(x", "fn three"]);
+    }
 }
