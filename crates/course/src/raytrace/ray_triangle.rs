@@ -270,6 +270,7 @@ fn parallel_forgotten(ray: Ray, triangle: Triangle) -> Option<TriangleHit> {
         return None;
     }
     let gamma = to_b.dot(to_e.cross(d)) / determinant;
+    // Asked for outside, as on the slide: NaN is neither below nor above.
     let (below, above) = (gamma < 0.0, gamma > 1.0);
     if below || above {
         return None;

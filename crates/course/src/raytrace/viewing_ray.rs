@@ -25,7 +25,15 @@ const STUB: &str = r#"//! The viewing ray of a pixel (L46, L9).
 use glam::Vec3;
 use vocabulary::{Basis, Ray, ViewVolume};
 
-pub fn viewing_ray(eye: Vec3, basis: Basis, volume: ViewVolume, width: u32, height: u32, i: u32, j: u32) -> Ray {
+pub fn viewing_ray(
+    eye: Vec3,
+    basis: Basis,
+    volume: ViewVolume,
+    width: u32,
+    height: u32,
+    i: u32,
+    j: u32,
+) -> Ray {
     todo!()
 }
 "#;
