@@ -3,11 +3,11 @@
 //! Each ball has a colour and mirrors a share of what is around it. A ray sees
 //!
 //!     the background                                    if it hits nothing
-//!     color + mirror · (what the reflected ray sees)    of the nearest ball that it hits
+//!     colour + mirror · (what the reflected ray sees)    of the nearest ball that it hits
 //!
 //! The reflected ray starts where the ray hit, in the direction r = d − 2(d·n)n, n being the unit normal there.
 //!
-//! - `ray`: origin outside all balls, direction d of any length. `balls`: sphere, color and mirror (0 to 1) of each.
+//! - `ray`: origin outside all balls, direction d of any length. `balls`: sphere, colour and mirror (0 to 1) of each.
 //! - `depth`: how many reflections are followed. With depth 0 the reflected ray sees the background, whatever stands there;
 //!   with depth 1 it may hit a ball, whose own reflected ray sees the background; and so on.
 //! - Count only hits with t > 0.001: the reflected ray must not hit the point that it starts from.

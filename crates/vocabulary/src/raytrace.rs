@@ -21,7 +21,7 @@ pub struct Ball {
     /// Its shape.
     pub sphere: Sphere,
     /// What it reflects of red, green and blue light, c_r.
-    pub color: Vec3,
+    pub colour: Vec3,
     /// The highlight's exponent p.
     pub exponent: f32,
 }
@@ -32,7 +32,7 @@ pub struct Lamp {
     /// Where it is.
     pub position: Vec3,
     /// Its light, c_l.
-    pub color: Vec3,
+    pub colour: Vec3,
 }
 
 /// A sphere that has a colour of its own and mirrors a share of what is around it (L58).
@@ -41,7 +41,7 @@ pub struct MirrorBall {
     /// Its shape.
     pub sphere: Sphere,
     /// The colour that it shows without its mirror.
-    pub color: Vec3,
+    pub colour: Vec3,
     /// The share of what it mirrors: 0 for none, 1 for all.
     pub mirror: f32,
 }

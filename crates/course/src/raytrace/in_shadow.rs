@@ -5,9 +5,10 @@ use proptest::prelude::*;
 use testkit::by_hand::{point3, unit_vector};
 use vocabulary::Sphere;
 
+use super::drawing;
 use super::inputs::{decided, height, sphere, within};
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! Is a point in shadow? (L56)
 //!
@@ -56,7 +57,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "Rounding puts a point of a surface a little inside it, and without an offset the surface shades itself in speckles: \
             `shadow acne`. An offset that is too large lets light through thin things. The slide's light is at infinity; a lamp is not, and \
             what stands behind it casts no shadow here.",
-        draw: drawing::nothing,
+        draw: drawing::on_the_way_to_the_lamp,
         source: include_str!("in_shadow.rs"),
     }
 }

@@ -95,6 +95,12 @@ pub(super) fn within() -> impl Strategy<Value = Vec3> + Clone {
     (-2..=2, -2..=2, -2..=2).prop_map(|(x, y, z)| vec3(x as f32, y as f32, z as f32) / 4.0)
 }
 
+/// A linear colour of eighths in [0, 1]; shrinks to `simplest`, also in eighths, so that there is something to see.
+pub(super) fn colour(simplest: [u8; 3]) -> impl Strategy<Value = Vec3> + Clone {
+    let share = |eighths: u8| (0..=8_u8).prop_map(move |more| f32::from((eighths + more) % 9) / 8.0);
+    simplest.map(share).prop_map(Vec3::from)
+}
+
 /// The two t at which a ray's line crosses a sphere, in f64, smaller first. `None` if it misses.
 pub(super) fn crossings(ray: &Ray, sphere: &Sphere) -> Option<[f64; 2]> {
     let (nearest, squared) = approach(ray, sphere);

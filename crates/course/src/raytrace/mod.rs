@@ -1,5 +1,6 @@
 //! What does a ray meet, and what colour does it bring back?
 
+mod drawing;
 mod in_shadow;
 mod inputs;
 mod nearest_hit;

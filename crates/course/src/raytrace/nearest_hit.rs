@@ -5,9 +5,10 @@ use proptest::prelude::*;
 use testkit::by_hand::{between, point3};
 use vocabulary::{Ray, Sphere};
 
+use super::drawing;
 use super::inputs::{at, crossings, height, is_clear, radius, step};
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing, that};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, that};
 
 const STUB: &str = r#"//! The nearest of several spheres along a ray (L43, L47, L52).
 //!
@@ -67,7 +68,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "Along a ray smaller t is nearer; in the lecture's z-buffer larger z is nearer. The interval is worth having from the \
             beginning: the near and far plane are t0 and t1 of a viewing ray, the light is t1 of a shadow ray. And t1 may shrink to the best t \
             found so far, which is what makes acceleration structures fast.",
-        draw: drawing::nothing,
+        draw: drawing::nearest_along_the_ray,
         source: include_str!("nearest_hit.rs"),
     }
 }

@@ -3,12 +3,13 @@
 use glam::{DVec3, Vec3, vec3};
 use proptest::prelude::*;
 use proptest::sample::select;
-use testkit::by_hand::{colour, point3};
+use testkit::by_hand::point3;
 use vocabulary::{Ball, Lamp, Ray, Sphere};
 
-use super::inputs::{at, crossings, decided, height, is_clear, sphere, within};
+use super::drawing;
+use super::inputs::{at, colour, crossings, decided, height, is_clear, sphere, within};
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! The colour that a ray sees (L55, L57).
 //!
@@ -51,13 +52,13 @@ pub(super) fn exercise() -> Exercise {
         concept: Concept::Raytrace,
         items: "L55, L57",
         title: Title { english: "The colour that a ray sees", dutch: "Raycolor met schaduwen" },
-        prerequisites: &["nearest_hit", "in_shadow"],
+        prerequisites: &["nearest_hit", "in_shadow", "blinn_phong"],
         stub: STUB,
         signature: SIGNATURE,
         hints: [
             "Four questions, in this order: what is hit first, where is that point, is it in shadow, and how bright is it there?",
             "p = origin + t · direction, n = (p − centre)/r, l = (lamp − p) normalized, e = −direction normalized. The ambient part comes always.",
-            "c = color * ambient; if not in shadow: c += color * lamp.color * n·l + lamp.color * (h·n)^exponent. Only the first two have the ball's colour.",
+            "c = colour * ambient; if not in shadow: c += colour * lamp.colour * n·l + lamp.colour * (h·n)^exponent. Only the first two have the ball's colour.",
         ],
         examples: examples(),
         laws: laws(),
@@ -67,22 +68,22 @@ pub(super) fn exercise() -> Exercise {
         explanation: "This is a whole ray tracer: called for the viewing ray of each pixel it makes a picture, with shadows. The slide's (h·n)^p \
             needs n·l > 0 beside it, or it lights points that face away from the lamp. Here the shadow ray sees to that: such a point lies \
             behind its own ball.",
-        draw: drawing::nothing,
+        draw: drawing::shadow_pictures,
         source: include_str!("ray_color.rs"),
     }
 }
 
 fn examples() -> Vec<Example> {
-    let ball = |center: Vec3, radius: f32, color: Vec3| Ball {
+    let ball = |center: Vec3, radius: f32, colour: Vec3| Ball {
         sphere: Sphere { center, radius },
-        color,
+        colour,
         exponent: 2.0,
     };
     let red = ball(vec3(0.0, 0.0, -3.0), 1.0, vec3(0.5, 0.25, 0.0));
     let shade = ball(vec3(0.0, 2.0, -2.0), 0.75, vec3(0.0, 0.5, 1.0));
     // The ray meets the red ball at (0, 0, −2); its normal there is z. The lamp is at 3 z + 4 y from there: n·l = 0.6.
     let ray = Ray { origin: vec3(0.0, 0.0, 2.0), direction: vec3(0.0, 0.0, -2.0) };
-    let lamp = Lamp { position: vec3(0.0, 4.0, 1.0), color: vec3(1.0, 0.5, 1.0) };
+    let lamp = Lamp { position: vec3(0.0, 4.0, 1.0), colour: vec3(1.0, 0.5, 1.0) };
     let between = Lamp { position: vec3(0.0, 4.0, -1.5), ..lamp };
     let (ambient, background) = (vec3(0.5, 1.0, 0.25), vec3(0.25, 0.5, 0.75));
     // h = (y 0.8 + z 1.6)/√3.2, so (h·n)² = 0.8.
@@ -177,22 +178,24 @@ impl Scene {
         let l = (self.lamp.position.as_dvec3() - p).normalize();
         let e = -self.ray.direction.as_dvec3().normalize();
         let h = (e + l).normalize();
-        let diffuse = n.dot(l).max(0.0) as f32 * self.lamp.color;
-        ball.color * (self.ambient + diffuse)
-            + h.dot(n).powf(f64::from(ball.exponent)) as f32 * self.lamp.color
+        let diffuse = n.dot(l).max(0.0) as f32 * self.lamp.colour;
+        ball.colour * (self.ambient + diffuse)
+            + h.dot(n).powf(f64::from(ball.exponent)) as f32 * self.lamp.colour
     }
 }
 
 fn ball(extent: i32) -> impl Strategy<Value = Ball> + Clone {
-    (sphere(extent), colour(), select(vec![1.0_f32, 2.0, 4.0, 8.0, 16.0]))
-        .prop_map(|(sphere, color, exponent)| Ball { sphere, color, exponent })
+    (sphere(extent), colour([8, 4, 2]), select(vec![1.0_f32, 2.0, 4.0, 8.0, 16.0]))
+        .prop_map(|(sphere, colour, exponent)| Ball { sphere, colour, exponent })
 }
 
 /// A ray aimed at one of one to three balls, the second of which may be on the lamp's way; everything is decided.
 fn scene() -> impl Strategy<Value = Scene> + Clone {
-    let lamp = (point3(6), colour()).prop_map(|(position, color)| Lamp { position, color: 2.0 * color });
+    let lamp =
+        (point3(6), colour([4, 4, 4])).prop_map(|(position, colour)| Lamp { position, colour: 2.0 * colour });
     let others = (proptest::collection::vec(ball(3), 0..=2), prop_oneof![Just(None), (3..=6).prop_map(Some)]);
-    let placed = (ball(2), others, any::<bool>(), lamp, point3(4), within(), colour(), colour());
+    let placed =
+        (ball(2), others, any::<bool>(), lamp, point3(4), within(), colour([2, 2, 2]), colour([1, 2, 4]));
     placed
         .prop_map(|(seen, (mut balls, between), last, lamp, eye, within, ambient, background)| {
             if let (Some(eighths), Some(ball)) = (between, balls.first_mut()) {
@@ -233,7 +236,7 @@ fn laws() -> Vec<Law> {
         )
         .over(seen(false), |scene, program| {
             let Some((ball, _)) = scene.hit() else { return Ok(()) };
-            close("the colour", program.ask(scene.arguments())?, ball.color * scene.ambient, TOLERANCE)
+            close("the colour", program.ask(scene.arguments())?, ball.colour * scene.ambient, TOLERANCE)
         }),
         Law::of(
             "lit_is_the_lighting_equation",
@@ -253,7 +256,7 @@ fn laws() -> Vec<Law> {
         )
         .over(seen(true), |scene, program| {
             let with = |factor: f32| {
-                let lamp = Lamp { color: factor * scene.lamp.color, ..scene.lamp };
+                let lamp = Lamp { colour: factor * scene.lamp.colour, ..scene.lamp };
                 Scene { lamp, ..scene.clone() }.arguments()
             };
             let [dark, once, twice]: [Vec3; 3] = [program.ask(with(0.0))?, program.ask(with(1.0))?, program.ask(with(2.0))?];
@@ -290,15 +293,15 @@ fn slide(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, background: Vec3) 
     let shadow_ray = Ray { origin: p, direction: lamp.position - p };
     let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
     if dark {
-        return ball.color * ambient;
+        return ball.colour * ambient;
     }
     let n = (p - ball.sphere.center) / ball.sphere.radius;
     let to_light = (lamp.position - p).normalize();
     let to_eye = -ray.direction.normalize();
     let h = (to_eye + to_light).normalize();
-    let diffuse = ball.color * lamp.color * n.dot(to_light).max(0.0);
-    let highlight = lamp.color * h.dot(n).max(0.0).powf(ball.exponent);
-    ball.color * ambient + diffuse + highlight
+    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
+    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
+    ball.colour * ambient + diffuse + highlight
 }
 
 fn in_small_functions(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, background: Vec3) -> Vec3 {
@@ -323,7 +326,7 @@ fn in_small_functions(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, backg
     fn lighting(ball: Ball, lamp: Lamp, [ambient, n, to_light, to_eye]: [Vec3; 4]) -> Vec3 {
         let cosine = n.dot(to_light);
         let halfway = (cosine + n.dot(to_eye)) / (to_light + to_eye).length();
-        ball.color * (ambient + lamp.color * cosine) + lamp.color * halfway.powf(ball.exponent)
+        ball.colour * (ambient + lamp.colour * cosine) + lamp.colour * halfway.powf(ball.exponent)
     }
     nearest(balls, ray, 0.0, f32::INFINITY).map_or(background, |(ball, t)| {
         let p = ray.origin + t * ray.direction;
@@ -331,7 +334,7 @@ fn in_small_functions(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, backg
         let way = lamp.position - p;
         let shadow_ray = Ray { origin: p, direction: way };
         if n.dot(way) <= 0.0 || nearest(balls, shadow_ray, 0.001, 1.0).is_some() {
-            return ball.color * ambient;
+            return ball.colour * ambient;
         }
         lighting(ball, lamp, [ambient, n, way.normalize(), (ray.origin - p).normalize()])
     })
@@ -359,14 +362,14 @@ fn in_double_precision(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, back
     let way = lamp.position.as_dvec3() - p;
     let on_the_way = |t: f64| (0.001..1.0).contains(&t);
     let free = balls.iter().all(|ball| !crossings(p, way, ball).into_iter().any(on_the_way));
-    let mut color = ball.color * ambient;
+    let mut colour = ball.colour * ambient;
     if free {
         let n = (p - ball.sphere.center.as_dvec3()).normalize();
         let h = (way.normalize() - d.normalize()).normalize();
-        color += ball.color * lamp.color * n.dot(way.normalize()).max(0.0) as f32;
-        color += lamp.color * n.dot(h).powf(f64::from(ball.exponent)) as f32;
+        colour += ball.colour * lamp.colour * n.dot(way.normalize()).max(0.0) as f32;
+        colour += lamp.colour * n.dot(h).powf(f64::from(ball.exponent)) as f32;
     }
-    color
+    colour
 }
 
 fn misconceptions() -> Vec<Misconception> {
@@ -446,9 +449,9 @@ fn without_shadows(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, backgrou
     let to_light = (lamp.position - p).normalize();
     let to_eye = -ray.direction.normalize();
     let h = (to_eye + to_light).normalize();
-    let diffuse = ball.color * lamp.color * n.dot(to_light).max(0.0);
-    let highlight = lamp.color * h.dot(n).max(0.0).powf(ball.exponent);
-    ball.color * ambient + diffuse + highlight
+    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
+    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
+    ball.colour * ambient + diffuse + highlight
 }
 
 fn black_shadows(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, background: Vec3) -> Vec3 {
@@ -473,9 +476,9 @@ fn black_shadows(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, background
     let to_light = (lamp.position - p).normalize();
     let to_eye = -ray.direction.normalize();
     let h = (to_eye + to_light).normalize();
-    let diffuse = ball.color * lamp.color * n.dot(to_light).max(0.0);
-    let highlight = lamp.color * h.dot(n).max(0.0).powf(ball.exponent);
-    ball.color * ambient + diffuse + highlight
+    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
+    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
+    ball.colour * ambient + diffuse + highlight
 }
 
 fn first_in_the_list(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, background: Vec3) -> Vec3 {
@@ -494,15 +497,15 @@ fn first_in_the_list(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, backgr
     let shadow_ray = Ray { origin: p, direction: lamp.position - p };
     let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
     if dark {
-        return ball.color * ambient;
+        return ball.colour * ambient;
     }
     let n = (p - ball.sphere.center) / ball.sphere.radius;
     let to_light = (lamp.position - p).normalize();
     let to_eye = -ray.direction.normalize();
     let h = (to_eye + to_light).normalize();
-    let diffuse = ball.color * lamp.color * n.dot(to_light).max(0.0);
-    let highlight = lamp.color * h.dot(n).max(0.0).powf(ball.exponent);
-    ball.color * ambient + diffuse + highlight
+    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
+    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
+    ball.colour * ambient + diffuse + highlight
 }
 
 fn highlight_in_the_ball_s_colour(
@@ -527,15 +530,15 @@ fn highlight_in_the_ball_s_colour(
     let shadow_ray = Ray { origin: p, direction: lamp.position - p };
     let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
     if dark {
-        return ball.color * ambient;
+        return ball.colour * ambient;
     }
     let n = (p - ball.sphere.center) / ball.sphere.radius;
     let to_light = (lamp.position - p).normalize();
     let to_eye = -ray.direction.normalize();
     let h = (to_eye + to_light).normalize();
-    let diffuse = ball.color * lamp.color * n.dot(to_light).max(0.0);
-    let highlight = ball.color * lamp.color * h.dot(n).max(0.0).powf(ball.exponent);
-    ball.color * ambient + diffuse + highlight
+    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
+    let highlight = ball.colour * lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
+    ball.colour * ambient + diffuse + highlight
 }
 
 fn ambient_without_the_ball_s_colour(
@@ -566,8 +569,8 @@ fn ambient_without_the_ball_s_colour(
     let to_light = (lamp.position - p).normalize();
     let to_eye = -ray.direction.normalize();
     let h = (to_eye + to_light).normalize();
-    let diffuse = ball.color * lamp.color * n.dot(to_light).max(0.0);
-    let highlight = lamp.color * h.dot(n).max(0.0).powf(ball.exponent);
+    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
+    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
     ambient + diffuse + highlight
 }
 
@@ -587,15 +590,15 @@ fn clamped(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, background: Vec3
     let shadow_ray = Ray { origin: p, direction: lamp.position - p };
     let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
     if dark {
-        return ball.color * ambient;
+        return ball.colour * ambient;
     }
     let n = (p - ball.sphere.center) / ball.sphere.radius;
     let to_light = (lamp.position - p).normalize();
     let to_eye = -ray.direction.normalize();
     let h = (to_eye + to_light).normalize();
-    let diffuse = ball.color * lamp.color * n.dot(to_light).max(0.0);
-    let highlight = lamp.color * h.dot(n).max(0.0).powf(ball.exponent);
-    (ball.color * ambient + diffuse + highlight).min(Vec3::ONE)
+    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
+    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
+    (ball.colour * ambient + diffuse + highlight).min(Vec3::ONE)
 }
 
 fn to_light_of_any_length(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, background: Vec3) -> Vec3 {
@@ -614,15 +617,15 @@ fn to_light_of_any_length(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, b
     let shadow_ray = Ray { origin: p, direction: lamp.position - p };
     let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
     if dark {
-        return ball.color * ambient;
+        return ball.colour * ambient;
     }
     let n = (p - ball.sphere.center) / ball.sphere.radius;
     let to_light = lamp.position - p;
     let to_eye = -ray.direction.normalize();
     let h = (to_eye + to_light).normalize();
-    let diffuse = ball.color * lamp.color * n.dot(to_light).max(0.0);
-    let highlight = lamp.color * h.dot(n).max(0.0).powf(ball.exponent);
-    ball.color * ambient + diffuse + highlight
+    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
+    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
+    ball.colour * ambient + diffuse + highlight
 }
 
 fn normal_of_any_length(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, background: Vec3) -> Vec3 {
@@ -641,15 +644,15 @@ fn normal_of_any_length(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, bac
     let shadow_ray = Ray { origin: p, direction: lamp.position - p };
     let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
     if dark {
-        return ball.color * ambient;
+        return ball.colour * ambient;
     }
     let n = p - ball.sphere.center;
     let to_light = (lamp.position - p).normalize();
     let to_eye = -ray.direction.normalize();
     let h = (to_eye + to_light).normalize();
-    let diffuse = ball.color * lamp.color * n.dot(to_light).max(0.0);
-    let highlight = lamp.color * h.dot(n).max(0.0).powf(ball.exponent);
-    ball.color * ambient + diffuse + highlight
+    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
+    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
+    ball.colour * ambient + diffuse + highlight
 }
 
 fn towards_the_point_for_towards_the_eye(
@@ -674,15 +677,15 @@ fn towards_the_point_for_towards_the_eye(
     let shadow_ray = Ray { origin: p, direction: lamp.position - p };
     let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
     if dark {
-        return ball.color * ambient;
+        return ball.colour * ambient;
     }
     let n = (p - ball.sphere.center) / ball.sphere.radius;
     let to_light = (lamp.position - p).normalize();
     let to_eye = ray.direction.normalize();
     let h = (to_eye + to_light).normalize();
-    let diffuse = ball.color * lamp.color * n.dot(to_light).max(0.0);
-    let highlight = lamp.color * h.dot(n).max(0.0).powf(ball.exponent);
-    ball.color * ambient + diffuse + highlight
+    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
+    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
+    ball.colour * ambient + diffuse + highlight
 }
 
 fn reflection_for_halfway(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, background: Vec3) -> Vec3 {
@@ -701,15 +704,15 @@ fn reflection_for_halfway(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, b
     let shadow_ray = Ray { origin: p, direction: lamp.position - p };
     let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
     if dark {
-        return ball.color * ambient;
+        return ball.colour * ambient;
     }
     let n = (p - ball.sphere.center) / ball.sphere.radius;
     let to_light = (lamp.position - p).normalize();
     let to_eye = -ray.direction.normalize();
     let r = 2.0 * n.dot(to_light) * n - to_light;
-    let diffuse = ball.color * lamp.color * n.dot(to_light).max(0.0);
-    let highlight = lamp.color * to_eye.dot(r).max(0.0).powf(ball.exponent);
-    ball.color * ambient + diffuse + highlight
+    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
+    let highlight = lamp.colour * to_eye.dot(r).max(0.0).powf(ball.exponent);
+    ball.colour * ambient + diffuse + highlight
 }
 
 fn black_background(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, _background: Vec3) -> Vec3 {
@@ -728,13 +731,13 @@ fn black_background(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, _backgr
     let shadow_ray = Ray { origin: p, direction: lamp.position - p };
     let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
     if dark {
-        return ball.color * ambient;
+        return ball.colour * ambient;
     }
     let n = (p - ball.sphere.center) / ball.sphere.radius;
     let to_light = (lamp.position - p).normalize();
     let to_eye = -ray.direction.normalize();
     let h = (to_eye + to_light).normalize();
-    let diffuse = ball.color * lamp.color * n.dot(to_light).max(0.0);
-    let highlight = lamp.color * h.dot(n).max(0.0).powf(ball.exponent);
-    ball.color * ambient + diffuse + highlight
+    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
+    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
+    ball.colour * ambient + diffuse + highlight
 }

@@ -3,23 +3,24 @@
 use glam::{DVec3, Vec3, vec3};
 use proptest::prelude::*;
 use proptest::sample::select;
-use testkit::by_hand::{colour, point3};
+use testkit::by_hand::point3;
 use vocabulary::{MirrorBall, Ray, Sphere};
 
-use super::inputs::{at, crossings, height, sphere, step, within};
+use super::drawing;
+use super::inputs::{at, colour, crossings, height, sphere, step, within};
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! Recursive ray tracing: mirrors that show mirrors (L58).
 //!
 //! Each ball has a colour and mirrors a share of what is around it. A ray sees
 //!
 //!     the background                                    if it hits nothing
-//!     color + mirror · (what the reflected ray sees)    of the nearest ball that it hits
+//!     colour + mirror · (what the reflected ray sees)    of the nearest ball that it hits
 //!
 //! The reflected ray starts where the ray hit, in the direction r = d − 2(d·n)n, n being the unit normal there.
 //!
-//! - `ray`: origin outside all balls, direction d of any length. `balls`: sphere, color and mirror (0 to 1) of each.
+//! - `ray`: origin outside all balls, direction d of any length. `balls`: sphere, colour and mirror (0 to 1) of each.
 //! - `depth`: how many reflections are followed. With depth 0 the reflected ray sees the background, whatever stands there;
 //!   with depth 1 it may hit a ball, whose own reflected ray sees the background; and so on.
 //! - Count only hits with t > 0.001: the reflected ray must not hit the point that it starts from.
@@ -54,13 +55,13 @@ pub(super) fn exercise() -> Exercise {
         concept: Concept::Raytrace,
         items: "L58",
         title: Title { english: "Mirrors", dutch: "Recursieve ray tracing" },
-        prerequisites: &["ray_color"],
+        prerequisites: &["ray_color", "reflection"],
         stub: STUB,
         signature: SIGNATURE,
         hints: [
             "What the reflected ray sees is the same question again, asked with another ray. What must become smaller, so that it ends?",
             "Hit nothing: background. Otherwise find p, n and r. With depth 0 the mirror shows the background, else your function's own answer for (p, r) and depth − 1.",
-            "let mirrored = if depth == 0 { background } else { ray_color_recursive(reflected, balls, background, depth - 1) }; color + mirror * mirrored.",
+            "let mirrored = if depth == 0 { background } else { ray_color_recursive(reflected, balls, background, depth - 1) }; colour + mirror * mirrored.",
         ],
         examples: examples(),
         laws: laws(),
@@ -70,15 +71,15 @@ pub(super) fn exercise() -> Exercise {
         explanation: "Each mirror takes its share of what is left, so after k reflections only mirror^k counts: a few are enough, and the limit \
             keeps two facing mirrors from asking each other for ever. Glass is the same with two rays, reflected and refracted. What \
             this leaves out is light that comes from mirrors and lights matte things.",
-        draw: drawing::nothing,
+        draw: drawing::mirror_pictures,
         source: include_str!("ray_color_recursive.rs"),
     }
 }
 
 fn examples() -> Vec<Example> {
-    let ball = |z: f32, color: Vec3, mirror: f32| MirrorBall {
+    let ball = |z: f32, colour: Vec3, mirror: f32| MirrorBall {
         sphere: Sphere { center: vec3(1.0, 2.0, z), radius: 1.0 },
-        color,
+        colour,
         mirror,
     };
     let facing = vec![ball(-3.0, vec3(0.5, 0.25, 0.0), 0.5), ball(5.0, vec3(0.0, 0.5, 1.0), 0.25)];
@@ -152,18 +153,18 @@ fn are_apart(balls: &[MirrorBall]) -> bool {
 }
 
 fn surface() -> impl Strategy<Value = (Vec3, f32)> + Clone {
-    (colour(), select(vec![0.25_f32, 0.5, 0.75, 1.0]))
+    (colour([4, 2, 1]), select(vec![0.25_f32, 0.5, 0.75, 1.0]))
 }
 
 /// A ray, two or three balls apart from each other, and a background: the ray meets the first at a place from which the second is
 /// seen in the mirror.
 fn mirrored() -> impl Strategy<Value = (Ray, Vec<MirrorBall>, Vec3)> + Clone {
     let balls = proptest::collection::vec((sphere(3), surface()), 2..=3).prop_map(|balls| {
-        let ball = |(sphere, (color, mirror))| MirrorBall { sphere, color, mirror };
+        let ball = |(sphere, (colour, mirror))| MirrorBall { sphere, colour, mirror };
         balls.into_iter().map(ball).collect::<Vec<_>>()
     });
     let balls = balls.prop_filter("too close", |balls| are_apart(balls));
-    (balls, within(), 2..=8, colour(), any::<bool>())
+    (balls, within(), 2..=8, colour([1, 2, 4]), any::<bool>())
         .prop_map(|(mut balls, slant, quarters, background, last)| {
             let (first, second) = (balls[0].sphere, balls[1].sphere);
             // Backwards: from the second ball to a point of the first that faces it, and from there to the eye.
@@ -189,10 +190,10 @@ fn mirrored() -> impl Strategy<Value = (Ray, Vec<MirrorBall>, Vec3)> + Clone {
 
 /// One ball, and a ray that is aimed at it.
 fn alone() -> impl Strategy<Value = (Ray, Vec<MirrorBall>, Vec3)> + Clone {
-    (sphere(2), surface(), within(), point3(4), colour())
-        .prop_map(|(sphere, (color, mirror), within, origin, background)| {
+    (sphere(2), surface(), within(), point3(4), colour([1, 2, 4]))
+        .prop_map(|(sphere, (colour, mirror), within, origin, background)| {
             let direction = sphere.center + sphere.radius * within - origin;
-            (Ray { origin, direction }, vec![MirrorBall { sphere, color, mirror }], background)
+            (Ray { origin, direction }, vec![MirrorBall { sphere, colour, mirror }], background)
         })
         .prop_filter("inside", |(ray, balls, _)| {
             is_steady(ray, balls) && crossings(ray, &balls[0].sphere).is_some()
@@ -201,13 +202,13 @@ fn alone() -> impl Strategy<Value = (Ray, Vec<MirrorBall>, Vec3)> + Clone {
 
 /// Two balls on one line, a ray between them along it, and a background.
 fn facing() -> impl Strategy<Value = (Ray, Vec<MirrorBall>, Vec3)> + Clone {
-    (point3(3), step(), [surface(), surface()], [2..=6, 2..=6], colour()).prop_map(
+    (point3(3), step(), [surface(), surface()], [2..=6, 2..=6], colour([1, 2, 4])).prop_map(
         |(origin, direction, surfaces, places, background)| {
             // The direction is at least 1 long, the balls' surfaces at least ½ of it away.
             let place = |k: usize, side: f32| {
-                let (color, mirror) = surfaces[k];
+                let (colour, mirror) = surfaces[k];
                 let center = origin + side * places[k] as f32 / 2.0 * direction;
-                MirrorBall { sphere: Sphere { center, radius: 0.5 }, color, mirror }
+                MirrorBall { sphere: Sphere { center, radius: 0.5 }, colour, mirror }
             };
             (Ray { origin, direction }, vec![place(0, 1.0), place(1, -1.0)], background)
         },
@@ -219,24 +220,24 @@ fn laws() -> Vec<Law> {
         Law::of(
             "depth_0_mirrors_the_background",
             2,
-            "With depth 0 a ball shows its colour and its share of the background: color + mirror · background.",
+            "With depth 0 a ball shows its colour and its share of the background: colour + mirror · background.",
             "No reflection is followed here. What does a mirror show whose reflected ray is not followed, and how much of it?",
         )
         .over(mirrored(), |(ray, balls, background), program| {
             let given: Vec3 = program.ask(arguments![*ray, balls.clone(), *background, 0_u32])?;
             let (hits, _) = path(at(ray, 0.0), ray.direction.as_dvec3(), balls, 0);
-            let wanted = hits.first().map_or(*background, |k| balls[*k].color + balls[*k].mirror * *background);
+            let wanted = hits.first().map_or(*background, |k| balls[*k].colour + balls[*k].mirror * *background);
             close("the colour", given, wanted, TOLERANCE)
         }),
         Law::of(
             "alone_it_mirrors_the_background_too",
             2,
-            "A ball bulges outwards: it never sees itself. Alone, it shows color + mirror · background at every depth.",
+            "A ball bulges outwards: it never sees itself. Alone, it shows colour + mirror · background at every depth.",
             "The ball sees itself. Where does the reflected ray start, and does it lead away from the ball?",
         )
         .over((alone(), 1..=DEEPEST), |((ray, balls, background), depth), program| {
             let given: Vec3 = program.ask(arguments![*ray, balls.clone(), *background, *depth])?;
-            let wanted = balls[0].color + balls[0].mirror * *background;
+            let wanted = balls[0].colour + balls[0].mirror * *background;
             close("the colour", given, wanted, TOLERANCE)
         }),
         Law::of(
@@ -252,7 +253,7 @@ fn laws() -> Vec<Law> {
             // A hundredth of a unit along its way, where it is clear of the ball.
             let reflected = Ray { origin: (p + 0.01 * d.normalize()).as_vec3(), direction: d.as_vec3() };
             let seen: Vec3 = program.ask(arguments![reflected, balls.clone(), *background, *depth - 1])?;
-            close("the colour", given, balls[*k].color + balls[*k].mirror * seen, TOLERANCE)
+            close("the colour", given, balls[*k].colour + balls[*k].mirror * seen, TOLERANCE)
         }),
         Law::of(
             "facing_mirrors_take_turns",
@@ -264,7 +265,7 @@ fn laws() -> Vec<Law> {
             let given: Vec3 = program.ask(arguments![*ray, balls.clone(), *background, *depth])?;
             let turn = |seen: Vec3, k: u32| {
                 let ball = balls[(k % 2) as usize];
-                ball.color + ball.mirror * seen
+                ball.colour + ball.mirror * seen
             };
             close("the colour", given, (0..=*depth).rev().fold(*background, turn), TOLERANCE)
         }),
@@ -278,7 +279,7 @@ fn laws() -> Vec<Law> {
             let matte: Vec<MirrorBall> = balls.iter().map(|ball| MirrorBall { mirror: 0.0, ..*ball }).collect();
             let given: Vec3 = program.ask(arguments![*ray, matte.clone(), *background, *depth])?;
             let (hits, _) = path(at(ray, 0.0), ray.direction.as_dvec3(), &matte, 0);
-            close("the colour", given, hits.first().map_or(*background, |k| matte[*k].color), TOLERANCE)
+            close("the colour", given, hits.first().map_or(*background, |k| matte[*k].colour), TOLERANCE)
         }),
     ]
 }
@@ -301,7 +302,7 @@ fn slide(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Vec3 {
         } else {
             trace(Ray { origin: p, direction }, balls, background, depth - 1)
         };
-        ball.color + ball.mirror * mirrored
+        ball.colour + ball.mirror * mirrored
     }
     trace(ray, balls, background, depth)
 }
@@ -324,7 +325,7 @@ fn round_by_round(mut ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u
             }
         }
         let Some((s, ball)) = nearest else { break };
-        seen += share * ball.color;
+        seen += share * ball.colour;
         share *= ball.mirror;
         let p = ray.origin + s * d;
         ray = Ray { origin: p, direction: d.reflect((p - ball.sphere.center).normalize()) };
@@ -350,7 +351,7 @@ fn from_the_last_to_the_first(ray: Ray, balls: &[MirrorBall], background: Vec3, 
         d -= 2.0 * d.dot(n) * n;
         way.push(ball);
     }
-    way.iter().rev().fold(background, |seen, ball| ball.color + ball.mirror * seen)
+    way.iter().rev().fold(background, |seen, ball| ball.colour + ball.mirror * seen)
 }
 
 fn misconceptions() -> Vec<Misconception> {
@@ -382,8 +383,8 @@ fn misconceptions() -> Vec<Misconception> {
         },
         Misconception {
             program: program!(blended),
-            looks_like: "colour and mirror image are blended, (1 − mirror)·color + mirror·…",
-            help: "Light adds up here: color stays whole, and the mirror's share comes on top.",
+            looks_like: "colour and mirror image are blended, (1 − mirror)·colour + mirror·…",
+            help: "Light adds up here: colour stays whole, and the mirror's share comes on top.",
         },
         Misconception {
             program: program!(black_at_the_limit),
@@ -411,7 +412,7 @@ fn no_offset(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Ve
         } else {
             trace(Ray { origin: p, direction }, balls, background, depth - 1)
         };
-        ball.color + ball.mirror * mirrored
+        ball.colour + ball.mirror * mirrored
     }
     trace(ray, balls, background, depth)
 }
@@ -434,7 +435,7 @@ fn reflected_into_the_ball(ray: Ray, balls: &[MirrorBall], background: Vec3, dep
         } else {
             trace(Ray { origin: p, direction }, balls, background, depth - 1)
         };
-        ball.color + ball.mirror * mirrored
+        ball.colour + ball.mirror * mirrored
     }
     trace(ray, balls, background, depth)
 }
@@ -457,7 +458,7 @@ fn normal_of_any_length(ray: Ray, balls: &[MirrorBall], background: Vec3, depth:
         } else {
             trace(Ray { origin: p, direction }, balls, background, depth - 1)
         };
-        ball.color + ball.mirror * mirrored
+        ball.colour + ball.mirror * mirrored
     }
     trace(ray, balls, background, depth)
 }
@@ -480,7 +481,7 @@ fn one_reflection_only(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: 
         } else {
             trace(Ray { origin: p, direction }, balls, background, depth - 1)
         };
-        ball.color + ball.mirror * mirrored
+        ball.colour + ball.mirror * mirrored
     }
     trace(ray, balls, background, depth.min(1))
 }
@@ -503,7 +504,7 @@ fn all_is_mirrored(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32)
         } else {
             trace(Ray { origin: p, direction }, balls, background, depth - 1)
         };
-        ball.color + mirrored
+        ball.colour + mirrored
     }
     trace(ray, balls, background, depth)
 }
@@ -526,7 +527,7 @@ fn blended(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Vec3
         } else {
             trace(Ray { origin: p, direction }, balls, background, depth - 1)
         };
-        ball.color.lerp(mirrored, ball.mirror)
+        ball.colour.lerp(mirrored, ball.mirror)
     }
     trace(ray, balls, background, depth)
 }
@@ -549,7 +550,7 @@ fn black_at_the_limit(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u
         } else {
             trace(Ray { origin: p, direction }, balls, background, depth - 1)
         };
-        ball.color + ball.mirror * mirrored
+        ball.colour + ball.mirror * mirrored
     }
     trace(ray, balls, background, depth)
 }

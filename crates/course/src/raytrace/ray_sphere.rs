@@ -4,9 +4,10 @@ use glam::vec3;
 use proptest::prelude::*;
 use vocabulary::{Ray, Sphere};
 
+use super::drawing;
 use super::inputs::{at, crossings, forwards, height, is_clear, sphere, step, within};
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing, that};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, that};
 
 const STUB: &str = r#"//! Where a ray first meets a sphere (L43, L47).
 //!
@@ -58,7 +59,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "Two solutions, because a line that goes in must come out. Which of them counts depends on where the ray starts: before \
             the sphere the entry, inside it the exit, behind it none. Far away B² and 4AC are huge and nearly equal, and their difference \
             loses its digits: a ray tracer measures how far the line passes from the centre instead.",
-        draw: drawing::nothing,
+        draw: drawing::sphere_along_the_ray,
         source: include_str!("ray_sphere.rs"),
     }
 }

@@ -4,9 +4,10 @@ use glam::{Vec3, vec3};
 use proptest::prelude::*;
 use vocabulary::{Ray, Triangle, TriangleHit};
 
+use super::drawing;
 use super::inputs::{aimed, forwards, inside, outside, parallel};
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! Where a ray hits a triangle (L51 to L54).
 //!
@@ -59,7 +60,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "The slide's raytri asks `is it outside?` and has no test for a parallel ray: 0/0 is NaN, NaN is not outside, so a ray \
             in the plane `hits`. Ask `is it inside?` and look at the determinant first. The border is another matter: with ≥ two triangles \
             that share an edge are both hit there, with > neither.",
-        draw: drawing::nothing,
+        draw: drawing::triangle_from_outside,
         source: include_str!("ray_triangle.rs"),
     }
 }
@@ -269,7 +270,9 @@ fn parallel_forgotten(ray: Ray, triangle: Triangle) -> Option<TriangleHit> {
         return None;
     }
     let gamma = to_b.dot(to_e.cross(d)) / determinant;
-    if !(0.0..=1.0).contains(&gamma) {
+    // Asked for outside, as on the slide: NaN is neither below nor above.
+    let (below, above) = (gamma < 0.0, gamma > 1.0);
+    if below || above {
         return None;
     }
     let beta = to_e.dot(to_c.cross(d)) / determinant;

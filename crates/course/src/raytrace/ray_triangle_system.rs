@@ -4,9 +4,10 @@ use glam::{DMat3, DVec3, Mat3, Vec3, mat3, vec3};
 use testkit::by_hand::coordinate;
 use vocabulary::{Ray, Triangle};
 
+use super::drawing;
 use super::inputs::{aimed, inside, outside, parallel};
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Stop, Title, close, drawing, that};
+use crate::{Concept, Example, Exercise, Law, Misconception, Stop, Title, close, that};
 
 const STUB: &str = r#"//! The system that says where a ray meets a triangle's plane (L50).
 //!
@@ -67,7 +68,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "A matrix times a column of unknowns mixes the matrix's columns: β of the first, γ of the second, t of the third. So each \
             vector that belongs to an unknown is a column. If A has no inverse, its three columns lie in one plane: the ray runs along the \
             triangle's plane. The lecture's exercise 4.2 has each row times −1: the same solution.",
-        draw: drawing::nothing,
+        draw: drawing::solved_system,
         source: include_str!("ray_triangle_system.rs"),
     }
 }

@@ -5,8 +5,9 @@ use proptest::prelude::*;
 use proptest::sample::select;
 use testkit::by_hand::{unit_vector, unit_vector_above};
 
+use super::drawing;
 use crate::exercise::{arguments, signature};
-use crate::{Asker, Concept, Example, Exercise, Law, Misconception, Stop, Title, close, drawing, that};
+use crate::{Asker, Concept, Example, Exercise, Law, Misconception, Stop, Title, close, that};
 
 const STUB: &str = r#"//! A ray on its way into glass, water or air (L58).
 //!
@@ -57,7 +58,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "No angle is needed: the sines are lengths along the surface. Into the denser medium (ratio < 1) the ray always finds a way, \
             bent towards the normal. Out of it, from a slant of sin θ₁ = n₂/n₁ on, none: for glass of index 1.5 from 41.8° on. The ray that \
             goes back takes the same way, with the ratio inverted.",
-        draw: drawing::nothing,
+        draw: drawing::bent_ray,
         source: include_str!("refract.rs"),
     }
 }

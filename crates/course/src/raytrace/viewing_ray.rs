@@ -5,8 +5,9 @@ use proptest::prelude::*;
 use testkit::by_hand::{axes, between, coordinate, point3};
 use vocabulary::{Basis, Ray, ViewVolume};
 
+use super::drawing;
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! The viewing ray of a pixel (L46, L9).
 //!
@@ -24,7 +25,15 @@ const STUB: &str = r#"//! The viewing ray of a pixel (L46, L9).
 use glam::Vec3;
 use vocabulary::{Basis, Ray, ViewVolume};
 
-pub fn viewing_ray(eye: Vec3, basis: Basis, volume: ViewVolume, width: u32, height: u32, i: u32, j: u32) -> Ray {
+pub fn viewing_ray(
+    eye: Vec3,
+    basis: Basis,
+    volume: ViewVolume,
+    width: u32,
+    height: u32,
+    i: u32,
+    j: u32,
+) -> Ray {
     todo!()
 }
 "#;
@@ -42,7 +51,7 @@ pub(super) fn exercise() -> Exercise {
         concept: Concept::Raytrace,
         items: "L46, L9, E13",
         title: Title { english: "The viewing ray of a pixel", dutch: "De viewing ray van een pixel" },
-        prerequisites: &[],
+        prerequisites: &["window_from_pixel"],
         stub: STUB,
         signature: SIGNATURE,
         hints: [
@@ -58,7 +67,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "The slide's s is written in camera coordinates, so it is an arrow from the eye: it is s − e already. The direction \
             keeps its length, and t = 1 is the near plane for every pixel, t = f/n the far plane. With a direction of length 1 the near plane \
             would lie at another t for each pixel.",
-        draw: drawing::nothing,
+        draw: drawing::ray_through_the_window,
         source: include_str!("viewing_ray.rs"),
     }
 }

@@ -5,6 +5,6 @@ use vocabulary::{Ball, Lamp, MirrorBall, TriangleHit};
 use super::record;
 
 record!(TriangleHit { t, beta, gamma });
-record!(Ball { sphere, color, exponent });
-record!(Lamp { position, color });
-record!(MirrorBall { sphere, color, mirror });
+record!(Ball { sphere, colour, exponent });
+record!(Lamp { position, colour });
+record!(MirrorBall { sphere, colour, mirror });
