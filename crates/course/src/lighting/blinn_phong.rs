@@ -6,7 +6,7 @@ use testkit::by_hand::{colour, coordinate, exponent, light_colour, normal_and_di
 use vocabulary::Material;
 
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! The Blinn-Phong lighting model (L34).
 //!
@@ -63,7 +63,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "As the slide prints it, the formula lights a point from behind: with h·n = −0.971 and p = 10 it adds 0.75 (E3), with \
             p = 11 it subtracts, with p = 10.5 it is NaN. And it is not the highlight of e·r: for one as narrow, h·n needs about four \
             times the exponent (E4).",
-        draw: drawing::nothing,
+        draw: super::drawing::blinn_phong,
         source: include_str!("blinn_phong.rs"),
     }
 }

@@ -8,7 +8,7 @@ use testkit::by_hand::{
 use vocabulary::{Light, Material, SurfacePoint};
 
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! Phong's lighting model with several lights (L32, L24).
 //!
@@ -68,7 +68,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "Light adds up, so the sum may be above 1: 0.8·(0.2 + 1) + 1 = 1.96 (E8). Whoever clamps each lamp changes the hue: \
             clamp once, at output. A lamp does not grow dim with distance here, for the lecture gives no falloff; the light of a real one \
             falls with the square.",
-        draw: drawing::nothing,
+        draw: super::drawing::light_all,
         source: include_str!("light_all.rs"),
     }
 }

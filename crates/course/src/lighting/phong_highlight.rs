@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use testkit::by_hand::{coordinate, exponent, light_colour, normal_and_direction, unit_vector_above};
 
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! Phong's highlight (L31, Figs 10.5 and 10.6).
 //!
@@ -57,7 +57,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "max(0, e·r) is not enough: a lamp just below the horizon has its mirror direction just below it too, and an eye just \
             above the surface is close to that: at n·l = −0.17, e·r may be 0.97 (E3). A surface that no light reaches has nothing to \
             reflect. The exponent is not physics, only a knob for the width.",
-        draw: drawing::nothing,
+        draw: super::drawing::phong_highlight,
         source: include_str!("phong_highlight.rs"),
     }
 }

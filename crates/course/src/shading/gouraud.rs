@@ -7,7 +7,7 @@ use vocabulary::Barycentric;
 
 use super::inputs::around;
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! Gouraud shading (L38).
 //!
@@ -59,7 +59,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "The colour is affine between the corners, so it is never brighter than the brightest of them: a highlight in the \
             middle of a triangle is lost, and as the mesh turns it flickers from corner to corner. Phong shading asks the lighting model in \
             every pixel instead.",
-        draw: drawing::nothing,
+        draw: super::drawing::shaded,
         source: include_str!("gouraud.rs"),
     }
 }

@@ -7,7 +7,7 @@ use vocabulary::{Barycentric, Material};
 
 use super::inputs::around;
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! Phong shading (L40).
 //!
@@ -69,7 +69,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "Normals ±45° from the middle meet at length 0.707, and 0.707³² = 1.5e-5: used as it is, the slide's normal puts the \
             highlight out exactly where Phong shading should show it (E7). This is the Phong shading; the formula for c is the Phong lighting \
             model, and each goes with others too (L42).",
-        draw: drawing::nothing,
+        draw: super::drawing::shaded,
         source: include_str!("phong_shading.rs"),
     }
 }

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use testkit::by_hand::{between, coordinate, point3};
 
 use crate::exercise::{arguments, signature};
-use crate::{Asker, Concept, Example, Exercise, Law, Misconception, Stop, Title, close, drawing, that};
+use crate::{Asker, Concept, Example, Exercise, Law, Misconception, Stop, Title, close, that};
 
 const STUB: &str = r#"//! Vertex normals (L39, Fig 10.4).
 //!
@@ -56,7 +56,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "Adding cross products as they are counts each triangle by its area, and triangles without any take care of themselves. \
             Weighted by the angle at the vertex, the normal does not even depend on how a flat polygon was cut into triangles. A box \
             should keep its edges: then vertices are doubled, one for each side.",
-        draw: drawing::nothing,
+        draw: super::drawing::vertex_normals,
         source: include_str!("vertex_normals.rs"),
     }
 }
