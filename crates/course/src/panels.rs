@@ -12,8 +12,8 @@ const SAMPLES: usize = 24;
 /// A panel's side and the room around it, in pixels.
 const PANEL: f32 = 216.0;
 const GAP: f32 = 20.0;
-/// Below the panels: their names, and two lines of words.
-const WORDS: f32 = 104.0;
+/// Below the panels: their names, and three lines of words.
+const WORDS: f32 = 130.0;
 
 /// What is drawn: a question for each place of the square [−1, 1]², and places with names.
 pub(crate) struct Subject<'a> {
@@ -85,7 +85,8 @@ fn svg(seen: &Seen<'_>, subject: &Subject<'_>, panels: &[Colours; 3], exposure: 
         }
         sheet.label(corner + vec2(0.5 * PANEL, 0.0), Side::Below, name, Letters::Plain, Ink::Main);
     }
-    let lines = [at_the_mark(seen, subject), brightness(exposure)];
+    let [yours, right] = at_the_mark(seen, subject);
+    let lines = [yours, right, what_is_white(subject, exposure)];
     sheet.lines(GAP - 10.0, PANEL + GAP + 52.0, lines);
     let alt = &subject.name;
     sheet.svg(&Words::new(
@@ -104,23 +105,26 @@ fn paint(sheet: &mut Sheet, corner: Vec2, colours: &Colours, exposure: f32) {
     }
 }
 
-/// What came out at the counterexample itself, in words.
-fn at_the_mark(seen: &Seen<'_>, subject: &Subject<'_>) -> Words {
+/// What came out at the counterexample itself, and what should have.
+fn at_the_mark(seen: &Seen<'_>, subject: &Subject<'_>) -> [Words; 2] {
     let letter = subject.marks.first().map_or("", |mark| mark.1);
     let short = |value: Option<&Value>| match value.cloned().and_then(<Vec3 as Plain>::from_value) {
         Some(c) => format!("({}, {}, {})", decimal(c.x, 3), decimal(c.y, 3), decimal(c.z, 3)),
         None => "—".to_owned(),
     };
     let (yours, right) = (short(seen.given), short(Some(seen.right)));
-    Words::new(
-        format!("{}; at {letter}: yours {yours}, right {right}", subject.name.en),
-        format!("{}; bij {letter}: van jou {yours}, goed {right}", subject.name.nl),
-    )
+    [
+        Words::new(format!("yours at {letter}: {yours}"), format!("van jou bij {letter}: {yours}")),
+        Words::new(format!("right at {letter}: {right}"), format!("goed bij {letter}: {right}")),
+    ]
 }
 
-fn brightness(exposure: f32) -> Words {
+fn what_is_white(subject: &Subject<'_>, exposure: f32) -> Words {
     let white = decimal(1.0 / exposure, 2);
-    Words::new(format!("white is a brightness of {white}"), format!("wit is een helderheid van {white}"))
+    Words::new(
+        format!("{}; white is a brightness of {white}", subject.name.en),
+        format!("{}; wit is een helderheid van {white}", subject.name.nl),
+    )
 }
 
 /// From linear light to numbers of a file.

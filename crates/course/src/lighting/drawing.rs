@@ -12,13 +12,13 @@ use crate::panels::{self, Subject};
 /// A ball in the light of a counterexample of [`super::lambert`].
 pub(super) fn lambert(seen: &Seen<'_>) -> Option<Picture> {
     let (n, l) = (direction(seen, 2)?, direction(seen, 3)?);
-    ball(seen, n, l, (n + l).try_normalize()?, |n| with(seen, 2, n))
+    ball(seen, n, l, beside(n, l), |n| with(seen, 2, n))
 }
 
 /// A ball in the light of a counterexample of [`super::ambient_and_diffuse`].
 pub(super) fn ambient_and_diffuse(seen: &Seen<'_>) -> Option<Picture> {
     let (n, l) = (direction(seen, 3)?, direction(seen, 4)?);
-    ball(seen, n, l, (n + l).try_normalize()?, |n| with(seen, 3, n))
+    ball(seen, n, l, beside(n, l), |n| with(seen, 3, n))
 }
 
 /// A ball with the highlight of a counterexample of [`super::phong_highlight`], seen from its eye.
@@ -81,6 +81,11 @@ fn with(seen: &Seen<'_>, at: usize, argument: impl Plain) -> Vec<Value> {
     arguments
 }
 
+/// A direction from which n is seen, and l as well where they are not opposite.
+fn beside(n: Vec3, l: Vec3) -> Vec3 {
+    n + 0.5 * l + 0.6 * n.any_orthonormal_vector()
+}
+
 /// A ball seen from the direction `from`, each of its points asked with its own normal; n and l are marked where they face us.
 fn ball(
     seen: &Seen<'_>,
@@ -96,7 +101,9 @@ fn ball(
         (depth > 0.0).then(|| arguments((place.x * u + place.y * v + depth.sqrt() * w).normalize()))
     };
     let mut marks = vec![(vec2(n.dot(u), n.dot(v)), "n")];
-    marks.extend((l.dot(w) > 0.0).then(|| (vec2(l.dot(u), l.dot(v)), "l")));
+    let light = vec2(l.dot(u), l.dot(v));
+    // Two letters on one place read as a third.
+    marks.extend((l.dot(w) > 0.0 && light.distance(marks[0].0) > 0.2).then_some((light, "l")));
     let name = Words::new("a ball in this light", "een bol in dit licht");
     panels::draw(seen, &Subject { question: &question, marks: &marks, name })
 }
