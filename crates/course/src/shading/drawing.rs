@@ -21,7 +21,10 @@ pub(super) fn shaded(seen: &Seen<'_>) -> Option<Picture> {
         Some(others.iter().cloned().chain([weights.into_value()]).collect::<Vec<Value>>())
     };
     let [a, b, c] = CORNERS;
-    let marks = [(at.alpha * a + at.beta * b + at.gamma * c, "p"), (a, "a"), (b, "b"), (c, "c")];
+    let p = at.alpha * a + at.beta * b + at.gamma * c;
+    // Two letters on one place read as a third.
+    let corners = [(a, "a"), (b, "b"), (c, "c")].into_iter().filter(|corner| corner.0.distance(p) > 0.2);
+    let marks: Vec<(Vec2, &str)> = std::iter::once((p, "p")).chain(corners).collect();
     let name = Words::new("a triangle with these normals", "een driehoek met deze normalen");
     panels::draw(seen, &Subject { question: &question, marks: &marks, name })
 }
@@ -110,7 +113,9 @@ impl Normals<'_> {
         let yours: Vec<(Vec2, Vec2)> = self.yours.iter().filter_map(tip).collect();
 
         let tips = right.iter().chain(&yours).map(|arrow| arrow.1);
-        let points: Vec<Vec2> = corners.iter().copied().chain(tips).collect();
+        // Room for the words at the top.
+        let top = vec2(greatest.x, greatest.y + 1.7 * unit);
+        let points: Vec<Vec2> = corners.iter().copied().chain(tips).chain([top]).collect();
         let mut sheet = Sheet::around(&points, vec2(620.0, 460.0), 64.0, 0.0);
         for triangle in self.triangles {
             let triangle: Option<Vec<Vec2>> = triangle.iter().map(|k| corners.get(*k).copied()).collect();

@@ -165,8 +165,8 @@ fn laws() -> Vec<Law> {
             let [n_0, n_1, n_2] = normals.map(|n| n.as_dvec3());
             let sum = f64::from(at.alpha) * n_0 + f64::from(at.beta) * n_1 + f64::from(at.gamma) * n_2;
             let n = sum.normalize().as_vec3();
-            let c: Vec3 = program.ask(arguments![material, c_l, l, e, normals, at])?;
             let same: Vec3 = program.ask(arguments![material, c_l, l, e, [n; 3], CORNER_A])?;
+            let c: Vec3 = program.ask(arguments![material, c_l, l, e, normals, at])?;
             close("c", c, same, TOLERANCE)
         }),
         Law::of(
