@@ -1,5 +1,8 @@
 //! What a student edits: one file an exercise, one folder a concept. README.md says how to begin.
 
+#![forbid(unsafe_code)]
+#![allow(clippy::module_inception, reason = "a concept and one of its exercises are called zbuffer")]
+
 /// How does a point of the world find its pixel?
 pub mod transforms {
     pub mod camera_frame;
@@ -13,16 +16,6 @@ pub mod transforms {
     pub mod window_from_pixel;
 }
 
-/// What does a ray meet, and what colour does it bring back?
-pub mod raytrace {
-    pub mod in_shadow;
-    pub mod nearest_hit;
-    pub mod ray_sphere;
-    pub mod ray_triangle;
-    pub mod ray_triangle_system;
-    pub mod viewing_ray;
-}
-
 /// Which polygon does a pixel show?
 pub mod zbuffer {
     pub mod barycentric;
@@ -30,7 +23,7 @@ pub mod zbuffer {
     pub mod depth_at;
     pub mod painters_order;
     pub mod rasterize;
-    pub mod z_buffer_algorithm;
+    pub mod zbuffer;
 }
 
 /// How bright is a point of a surface?
@@ -50,4 +43,17 @@ pub mod shading {
     pub mod gouraud;
     pub mod phong_shading;
     pub mod vertex_normals;
+}
+
+/// What does a ray meet, and what colour does it bring back?
+pub mod raytrace {
+    pub mod in_shadow;
+    pub mod nearest_hit;
+    pub mod ray_color;
+    pub mod ray_color_recursive;
+    pub mod ray_sphere;
+    pub mod ray_triangle;
+    pub mod ray_triangle_system;
+    pub mod refract;
+    pub mod viewing_ray;
 }

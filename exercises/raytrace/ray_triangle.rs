@@ -14,7 +14,6 @@
 //!
 //! glam: `cross`, `dot`, `Mat3::from_cols`, `Mat3::determinant`, `Mat3::inverse`.
 
-use glam::{Mat3, Vec3};
 use vocabulary::{Ray, Triangle, TriangleHit};
 
 pub fn ray_triangle(ray: Ray, triangle: Triangle) -> Option<TriangleHit> {

@@ -51,3 +51,7 @@ pub fn all() -> Vec<Exercise> {
 pub fn find(name: &str) -> Option<Exercise> {
     all().into_iter().find(|exercise| exercise.name == name)
 }
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeExamples;

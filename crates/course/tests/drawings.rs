@@ -1,55 +1,101 @@
-//! Can every counterexample be drawn, however wrong the answer? And does the drawing fit where it is shown?
+//! Does every drawing stand whatever the answer is? Drawn from the counterexamples of all misconceptions, and from damaged answers.
 
-use course::trial::{Counterexample, examine};
-use course::{Calls, Exercise, InProcess, Picture, Program, Reply, Seen, Value};
+use course::trial::{Examination, examine};
+use course::{Exercise, InProcess, Picture, Reply, Seen, Value};
 
-/// What a terminal has room for.
-const COLUMNS: usize = 76;
-const LINES: usize = 20;
+/// What is no coordinate of a point on a sheet.
+const STRANGE: [f32; 5] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30, -0.0];
 
-fn answers(program: &Program, questions: &[Vec<Value>]) -> Vec<Option<Value>> {
-    let reply = |question: &Vec<Value>| match InProcess(program.function).reply(question) {
-        Ok(Reply::Value(value)) => Some(value),
-        _ => None,
+/// The last call of the first counterexample, as a grader draws it, with the answer put through `damage`.
+fn drawn(
+    exercise: &Exercise,
+    wrong: InProcess,
+    examination: &Examination,
+    damage: impl Fn(&Value) -> Value,
+) -> Option<Picture> {
+    let (_, counterexample) = examination.counterexample()?;
+    let (arguments, reply) = counterexample.calls.last()?;
+    let Reply::Value(given) = reply else { return None };
+    let answers = |answerer: InProcess, questions: &[Vec<Value>]| -> Vec<Option<Value>> {
+        let answer = |question: &Vec<Value>| match answerer.reply(question) {
+            Ok(Reply::Value(value)) => Some(value),
+            _ => None,
+        };
+        questions.iter().map(answer).collect()
     };
-    questions.iter().map(reply).collect()
+    let reference = InProcess(exercise.reference.function);
+    let Ok(Reply::Value(right)) = reference.reply(arguments) else { return None };
+    let yours = |questions: &[Vec<Value>]| answers(wrong, questions);
+    let right_ones = |questions: &[Vec<Value>]| answers(reference, questions);
+    let damaged = damage(given);
+    let seen =
+        Seen { arguments, given: Some(&damaged), right: &right, yours: &yours, reference: &right_ones };
+    (exercise.draw)(&seen)
 }
 
-/// The drawing of a program's last call in a counterexample.
-fn drawn(exercise: &Exercise, program: &Program, counterexample: &Counterexample) -> Option<Picture> {
-    let (arguments, reply) = counterexample.calls.last().expect("a counterexample has a call");
-    let right =
-        answers(&exercise.reference, std::slice::from_ref(arguments)).remove(0).expect("a right answer");
-    let given = match reply {
-        Reply::Value(value) => Some(value),
-        _ => None,
+fn assert_sound(picture: &Picture, who: &str) {
+    assert!(picture.svg.starts_with("<svg") && picture.svg.ends_with("</svg>"), "{who}: no SVG");
+    for strange in ["NaN", "inf"] {
+        let in_a_path = picture.svg.split(" d=\"").skip(1).any(|path| {
+            let data = path.split('"').next().unwrap_or_default();
+            data.contains(strange)
+        });
+        let in_a_place = [" x=\"", " y=\"", "cx=\"", "cy=\"", " r=\"", "points=\""]
+            .iter()
+            .any(|name| picture.svg.split(name).skip(1).any(|place| place.starts_with(strange)));
+        assert!(!in_a_path && !in_a_place, "{who}: {strange} in the drawing");
+    }
+    if let Some(text) = &picture.text {
+        assert!(text.lines().count() <= 20, "{who}: the text is too long");
+        assert!(text.lines().all(|line| line.chars().count() <= 76), "{who}: the text is too wide");
+    }
+}
+
+/// All numbers of a value, the `at`-th one of each vector or matrix replaced.
+fn with_number(value: &Value, at: usize, number: f32) -> Value {
+    let in_list = |numbers: &[f32]| {
+        let mut numbers = numbers.to_vec();
+        let place = at % numbers.len().max(1);
+        if let Some(entry) = numbers.get_mut(place) {
+            *entry = number;
+        }
+        numbers
     };
-    let yours: &Calls<'_> = &|questions| answers(program, questions);
-    let reference: &Calls<'_> = &|questions| answers(&exercise.reference, questions);
-    (exercise.draw)(&Seen { arguments, given, right: &right, yours, reference })
+    match value {
+        Value::Number(_) => Value::Number(number),
+        Value::Vector(numbers) => Value::Vector(in_list(numbers)),
+        Value::Matrix(numbers) => Value::Matrix(in_list(numbers)),
+        Value::List(values) => Value::List(values.iter().map(|v| with_number(v, at, number)).collect()),
+        Value::Record(record) => {
+            let mut record = record.clone();
+            for (_, field) in &mut record.fields {
+                *field = with_number(field, at, number);
+            }
+            Value::Record(record)
+        }
+        Value::Nothing | Value::Truth(_) | Value::Whole(_) => value.clone(),
+    }
 }
 
 #[test]
-fn every_drawing_is_svg_without_strange_numbers_and_fits_a_terminal() {
-    let mut drawings = 0;
+fn every_drawing_stands_for_every_misconception_and_for_damaged_answers() {
     for exercise in course::all() {
         for misconception in &exercise.misconceptions {
-            let program = &misconception.program;
-            let who = format!("{} by {}", exercise.name, program.name);
-            let examination = examine(&exercise, 1, &mut InProcess(program.function)).expect("no fault");
-            let (_, counterexample) = examination.counterexample().expect("a misconception fails");
-            let Some(picture) = drawn(&exercise, program, counterexample) else { continue };
-            drawings += 1;
-            assert!(picture.svg.starts_with("<svg") && picture.svg.ends_with("</svg>"), "{who}: no SVG");
-            // Words may say that an answer is NaN, tags may not.
-            let tags = picture.svg.split('<').filter_map(|part| part.split('>').next());
-            let strange = tags.filter(|tag| tag.contains("NaN") || tag.contains("inf")).count();
-            assert_eq!(strange, 0, "{who}: a number that is none");
-            if let Some(text) = &picture.text {
-                assert!(text.lines().count() <= LINES, "{who}: more than {LINES} lines\n{text}");
-                assert!(text.lines().all(|line| line.chars().count() <= COLUMNS), "{who}: too wide\n{text}");
+            let wrong = InProcess(misconception.program.function);
+            let examination =
+                examine(&exercise, 1, &mut wrong.clone()).unwrap_or_else(|fault| panic!("{fault}"));
+            let who = format!("{} by {}", exercise.name, misconception.program.name);
+            if let Some(picture) = drawn(&exercise, wrong, &examination, Value::clone) {
+                assert_sound(&picture, &who);
+            }
+            for strange in STRANGE {
+                for at in 0..16 {
+                    let damage = |value: &Value| with_number(value, at, strange);
+                    if let Some(picture) = drawn(&exercise, wrong, &examination, damage) {
+                        assert_sound(&picture, &format!("{who}, {strange} at {at}"));
+                    }
+                }
             }
         }
     }
-    assert!(drawings > 50, "only {drawings} drawings");
 }

@@ -22,3 +22,7 @@ pub use judgement::{Judgement, LooksLike, Outcome, Unreadable, gave};
 pub use kit::{Build, Kit, KitError};
 pub use process::{Limits, Output, Printed};
 pub use token::{NoToken, Token, version};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeExamples;

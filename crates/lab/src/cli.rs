@@ -23,7 +23,11 @@ Exit codes:
   0    done; for compare: the pictures are the same
   1    check: not everything passes; compare: the pictures differ; claims: a verdict did not come out as recorded
   2    error
-  130  interrupted by Ctrl-C; 143: told to terminate. No half-written file stays behind.";
+  130  interrupted by Ctrl-C; 143: told to terminate. No half-written file stays behind.
+
+Environment:
+  LIGHTLAB_EXERCISES  another folder of exercises than the project's
+  NO_COLOR            no colours";
 
 const RENDER_EXAMPLES: &str = "\
 Examples:

@@ -182,3 +182,17 @@ fn numbers(cell: &str) -> Vec<u32> {
     }
     cell.split(',').map(number).collect()
 }
+
+#[test]
+fn exercises_see_glam_and_the_vocabulary_and_no_crate_sees_them() {
+    let text = read(&workspace().join("exercises/Cargo.toml"));
+    let mut seen = manifest::dependencies(&text);
+    seen.sort();
+    assert_eq!(seen, ["glam", "vocabulary"]);
+    let vocabulary = manifests().into_iter().find(|m| m.name == "vocabulary").expect("the crate vocabulary");
+    assert_eq!(vocabulary.dependencies, ["glam"]);
+    for Manifest { name, dependencies, dev_dependencies, .. } in &manifests() {
+        let mut all = dependencies.iter().chain(dev_dependencies);
+        assert!(!all.any(|d| d == "exercises"), "{name} depends on the exercises");
+    }
+}

@@ -36,6 +36,12 @@ pub(crate) fn manifests() -> Vec<Manifest> {
         .collect()
 }
 
+/// What the code of a package needs, by the text of its manifest.
+pub(crate) fn dependencies(text: &str) -> Vec<String> {
+    let manifest = DeTable::parse(text).expect("a manifest").into_inner();
+    names(&manifest, &["dependencies", "build-dependencies"])
+}
+
 /// The packages in these tables, and in those of single platforms: `[target.'cfg(unix)'.dependencies]`.
 fn names(manifest: &DeTable, keys: &[&str]) -> Vec<String> {
     let platforms = manifest.get("target").and_then(|targets| targets.get_ref().as_table());

@@ -213,5 +213,5 @@ fn without_the_maximum(c_r: Vec3, c_a: Vec3, c_l: Vec3, n: Vec3, to_light: Vec3)
 }
 
 fn clamped(c_r: Vec3, c_a: Vec3, c_l: Vec3, n: Vec3, to_light: Vec3) -> Vec3 {
-    slide(c_r, c_a, c_l, n, to_light).min(Vec3::ONE)
+    (c_r * (c_a + c_l * n.dot(to_light).max(0.0))).min(Vec3::ONE)
 }

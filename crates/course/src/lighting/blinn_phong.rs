@@ -312,8 +312,10 @@ fn highlight_in_the_surfaces_colour(
     to_light: Vec3,
     to_eye: Vec3,
 ) -> Vec3 {
-    let white = Material { diffuse: Vec3::ONE, ..material };
-    material.diffuse * slide(white, c_a, c_l, n, to_light, to_eye)
+    let facing = n.dot(to_light).max(0.0);
+    let h = (to_eye + to_light).normalize_or_zero();
+    let highlight = if facing > 0.0 { h.dot(n).max(0.0).powf(material.exponent) } else { 0.0 };
+    material.diffuse * (c_a + c_l * (facing + highlight))
 }
 
 fn with_the_mirror_direction(
@@ -372,9 +374,15 @@ fn without_ambient_light(
     to_light: Vec3,
     to_eye: Vec3,
 ) -> Vec3 {
-    slide(material, Vec3::ZERO, c_l, n, to_light, to_eye)
+    let facing = n.dot(to_light).max(0.0);
+    let h = (to_eye + to_light).normalize_or_zero();
+    let highlight = if facing > 0.0 { h.dot(n).max(0.0).powf(material.exponent) } else { 0.0 };
+    c_l * (material.diffuse * facing + highlight)
 }
 
 fn clamped(material: Material, c_a: Vec3, c_l: Vec3, n: Vec3, to_light: Vec3, to_eye: Vec3) -> Vec3 {
-    slide(material, c_a, c_l, n, to_light, to_eye).min(Vec3::ONE)
+    let facing = n.dot(to_light).max(0.0);
+    let h = (to_eye + to_light).normalize_or_zero();
+    let highlight = if facing > 0.0 { h.dot(n).max(0.0).powf(material.exponent) } else { 0.0 };
+    (material.diffuse * (c_a + c_l * facing) + c_l * highlight).min(Vec3::ONE)
 }

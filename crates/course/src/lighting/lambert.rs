@@ -220,11 +220,11 @@ fn by_the_angle_itself(c_r: Vec3, c_l: Vec3, n: Vec3, to_light: Vec3) -> Vec3 {
 }
 
 fn the_other_way(c_r: Vec3, c_l: Vec3, n: Vec3, to_light: Vec3) -> Vec3 {
-    slide(c_r, c_l, n, -to_light)
+    c_r * c_l * n.dot(-to_light).max(0.0)
 }
 
 fn clamped(c_r: Vec3, c_l: Vec3, n: Vec3, to_light: Vec3) -> Vec3 {
-    slide(c_r, c_l, n, to_light).min(Vec3::ONE)
+    (c_r * c_l * n.dot(to_light).max(0.0)).min(Vec3::ONE)
 }
 
 fn colours_added(c_r: Vec3, c_l: Vec3, n: Vec3, to_light: Vec3) -> Vec3 {

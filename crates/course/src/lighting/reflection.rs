@@ -206,7 +206,7 @@ fn with_a_maximum(n: Vec3, to_light: Vec3) -> Vec3 {
 }
 
 fn brought_to_unit_length(n: Vec3, to_light: Vec3) -> Vec3 {
-    slide(n, to_light).normalize_or_zero()
+    (2.0 * n.dot(to_light) * n - to_light).normalize_or_zero()
 }
 
 fn turned_around(_n: Vec3, to_light: Vec3) -> Vec3 {

@@ -3,9 +3,9 @@
 use glam::{Vec3, vec3};
 use proptest::prelude::*;
 use testkit::by_hand::{point3, unit_vector};
-use vocabulary::{Ray, Sphere};
+use vocabulary::Sphere;
 
-use super::inputs::{crossings, height, is_clear, sphere, within};
+use super::inputs::{decided, height, sphere, within};
 use crate::exercise::{arguments, signature};
 use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
 
@@ -33,14 +33,6 @@ signature!((point: Vec3, light: Vec3, spheres: &[Sphere]) -> bool);
 
 /// The answer is true or false: nothing to round.
 const TOLERANCE: f32 = 0.0;
-
-/// Other crossings than the one at the point itself are this far from both ends of the shadow ray, as shares of it. Of the rays
-/// here that is a hundredth of a unit or more, and rounding moves a crossing by a thousandth of that.
-const GAP: f64 = 0.02;
-
-/// The point itself is crossed within this share: coordinates below 6 put it off its sphere by 4e-7, a slant of at most 81° and a
-/// ray of length 1 or more make that 3e-6.
-const AT_THE_POINT: f64 = 1e-5;
 
 pub(super) fn exercise() -> Exercise {
     Exercise {
@@ -110,21 +102,6 @@ fn with_another(
             (own, Sphere { center, radius }, p, light)
         })
         .prop_filter("close to a tie", |(own, other, p, light)| decided(*p, *light, &[*own, *other]))
-}
-
-/// Whether nothing is close to a tie, and lamp and point are outside all spheres or on them.
-fn decided(p: Vec3, light: Vec3, spheres: &[Sphere]) -> bool {
-    let way = Ray { origin: p, direction: light - p };
-    spheres.iter().all(|sphere| {
-        let ends = [0.0, 1.0];
-        let apart = crossings(&way, sphere).is_none_or(|crossings| {
-            let [first, second] = crossings
-                .map(|t| t.abs() < AT_THE_POINT || ends.iter().all(|end: &f64| (t - end).abs() > GAP));
-            first && second
-        });
-        let outside = height(light.as_dvec3(), sphere) > 0.0 && height(p.as_dvec3(), sphere) > -AT_THE_POINT;
-        apart && outside && is_clear(&way, sphere)
-    })
 }
 
 fn laws() -> Vec<Law> {

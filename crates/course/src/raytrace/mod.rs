@@ -3,9 +3,12 @@
 mod in_shadow;
 mod inputs;
 mod nearest_hit;
+mod ray_color;
+mod ray_color_recursive;
 mod ray_sphere;
 mod ray_triangle;
 mod ray_triangle_system;
+mod refract;
 mod viewing_ray;
 
 use crate::Exercise;
@@ -19,5 +22,8 @@ pub(crate) fn exercises() -> Vec<Exercise> {
         ray_sphere::exercise(),
         nearest_hit::exercise(),
         in_shadow::exercise(),
+        ray_color::exercise(),
+        refract::exercise(),
+        ray_color_recursive::exercise(),
     ]
 }

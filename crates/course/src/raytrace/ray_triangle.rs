@@ -1,6 +1,6 @@
 //! Exercise 4.2 for any ray and triangle: where they meet, if they do (L51–L54, E10, E11).
 
-use glam::{Mat3, Vec3, vec3};
+use glam::{Vec3, vec3};
 use proptest::prelude::*;
 use vocabulary::{Ray, Triangle, TriangleHit};
 
@@ -24,7 +24,6 @@ const STUB: &str = r#"//! Where a ray hits a triangle (L51 to L54).
 //!
 //! glam: `cross`, `dot`, `Mat3::from_cols`, `Mat3::determinant`, `Mat3::inverse`.
 
-use glam::{Mat3, Vec3};
 use vocabulary::{Ray, Triangle, TriangleHit};
 
 pub fn ray_triangle(ray: Ray, triangle: Triangle) -> Option<TriangleHit> {
@@ -173,7 +172,7 @@ fn slide(ray: Ray, triangle: Triangle) -> Option<TriangleHit> {
 }
 
 fn by_the_inverse(ray: Ray, triangle: Triangle) -> Option<TriangleHit> {
-    let matrix = Mat3::from_cols(triangle.b - triangle.a, triangle.c - triangle.a, -ray.direction);
+    let matrix = glam::Mat3::from_cols(triangle.b - triangle.a, triangle.c - triangle.a, -ray.direction);
     if matrix.determinant().abs() < 1e-3 {
         return None;
     }
@@ -215,7 +214,8 @@ fn by_areas(ray: Ray, triangle: Triangle) -> Option<TriangleHit> {
     }
     let t = normal.dot(a - ray.origin) / fall;
     let p = ray.origin + t * ray.direction;
-    let share = |from: Vec3, to: Vec3| (to - from).cross(p - from).dot(normal) / normal.length_squared();
+    let share =
+        |from: glam::Vec3, to: glam::Vec3| (to - from).cross(p - from).dot(normal) / normal.length_squared();
     let (alpha, beta, gamma) = (share(b, c), share(c, a), share(a, b));
     (t > 0.0 && alpha.min(beta).min(gamma) >= 0.0).then_some(TriangleHit { t, beta, gamma })
 }
@@ -269,7 +269,7 @@ fn parallel_forgotten(ray: Ray, triangle: Triangle) -> Option<TriangleHit> {
         return None;
     }
     let gamma = to_b.dot(to_e.cross(d)) / determinant;
-    if gamma < 0.0 || gamma > 1.0 {
+    if !(0.0..=1.0).contains(&gamma) {
         return None;
     }
     let beta = to_e.dot(to_c.cross(d)) / determinant;
@@ -293,7 +293,7 @@ fn the_whole_parallelogram(ray: Ray, triangle: Triangle) -> Option<TriangleHit> 
 }
 
 fn the_whole_plane(ray: Ray, triangle: Triangle) -> Option<TriangleHit> {
-    let matrix = Mat3::from_cols(triangle.a - triangle.b, triangle.a - triangle.c, ray.direction);
+    let matrix = glam::Mat3::from_cols(triangle.a - triangle.b, triangle.a - triangle.c, ray.direction);
     if matrix.determinant().abs() < 1e-4 {
         return None;
     }
@@ -302,7 +302,7 @@ fn the_whole_plane(ray: Ray, triangle: Triangle) -> Option<TriangleHit> {
 }
 
 fn both_ways(ray: Ray, triangle: Triangle) -> Option<TriangleHit> {
-    let matrix = Mat3::from_cols(triangle.a - triangle.b, triangle.a - triangle.c, ray.direction);
+    let matrix = glam::Mat3::from_cols(triangle.a - triangle.b, triangle.a - triangle.c, ray.direction);
     if matrix.determinant().abs() < 1e-4 {
         return None;
     }
@@ -312,7 +312,7 @@ fn both_ways(ray: Ray, triangle: Triangle) -> Option<TriangleHit> {
 }
 
 fn only_the_front(ray: Ray, triangle: Triangle) -> Option<TriangleHit> {
-    let matrix = Mat3::from_cols(triangle.a - triangle.b, triangle.a - triangle.c, ray.direction);
+    let matrix = glam::Mat3::from_cols(triangle.a - triangle.b, triangle.a - triangle.c, ray.direction);
     if matrix.determinant() < 1e-4 {
         return None;
     }
@@ -322,7 +322,7 @@ fn only_the_front(ray: Ray, triangle: Triangle) -> Option<TriangleHit> {
 }
 
 fn beta_and_gamma_exchanged(ray: Ray, triangle: Triangle) -> Option<TriangleHit> {
-    let matrix = Mat3::from_cols(triangle.a - triangle.c, triangle.a - triangle.b, ray.direction);
+    let matrix = glam::Mat3::from_cols(triangle.a - triangle.c, triangle.a - triangle.b, ray.direction);
     if matrix.determinant().abs() < 1e-4 {
         return None;
     }
@@ -333,7 +333,7 @@ fn beta_and_gamma_exchanged(ray: Ray, triangle: Triangle) -> Option<TriangleHit>
 
 fn distance_for_t(ray: Ray, triangle: Triangle) -> Option<TriangleHit> {
     let d = ray.direction.normalize();
-    let matrix = Mat3::from_cols(triangle.a - triangle.b, triangle.a - triangle.c, d);
+    let matrix = glam::Mat3::from_cols(triangle.a - triangle.b, triangle.a - triangle.c, d);
     if matrix.determinant().abs() < 1e-4 {
         return None;
     }

@@ -243,10 +243,11 @@ fn corners_for_edges(triangle: Triangle) -> Option<Vec3> {
 }
 
 fn towards_z(triangle: Triangle) -> Option<Vec3> {
-    slide(triangle).map(|n| if n.z < 0.0 { -n } else { n })
+    let n = (triangle.b - triangle.a).cross(triangle.c - triangle.a).try_normalize()?;
+    Some(if n.z < 0.0 { -n } else { n })
 }
 
 fn lies_in_the_triangle(triangle: Triangle) -> Option<Vec3> {
-    slide(triangle)?;
-    ((triangle.b - triangle.a) + (triangle.c - triangle.a)).try_normalize()
+    let (along, across) = (triangle.b - triangle.a, triangle.c - triangle.a);
+    if along.cross(across) == Vec3::ZERO { None } else { (along + across).try_normalize() }
 }

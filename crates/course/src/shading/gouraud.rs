@@ -277,7 +277,8 @@ fn weights_exchanged(
     normals: [Vec3; 3],
     at: Barycentric,
 ) -> Vec3 {
-    slide(c_r, c_a, c_l, to_light, normals, Barycentric { alpha: at.beta, beta: at.alpha, gamma: at.gamma })
+    let [c_0, c_1, c_2] = normals.map(|n| c_r * (c_a + c_l * n.dot(to_light).max(0.0)));
+    at.beta * c_0 + at.alpha * c_1 + at.gamma * c_2
 }
 
 fn without_corner_a(
@@ -288,7 +289,8 @@ fn without_corner_a(
     normals: [Vec3; 3],
     at: Barycentric,
 ) -> Vec3 {
-    slide(c_r, c_a, c_l, to_light, normals, Barycentric { alpha: 0.0, ..at })
+    let [_, c_1, c_2] = normals.map(|n| c_r * (c_a + c_l * n.dot(to_light).max(0.0)));
+    at.beta * c_1 + at.gamma * c_2
 }
 
 fn without_the_maximum(

@@ -5,9 +5,10 @@ use proptest::prelude::*;
 use testkit::by_hand::direction;
 use vocabulary::Basis;
 
+use super::drawing;
 use crate::exercise::{arguments, signature};
 use crate::law::{Broken, Stop, that};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! The camera's frame (Fig 4.8, L6).
 //!
@@ -64,7 +65,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "up only chooses among the turns about the line of sight: u is what is at right angles to both, and v \
             is the part of up that is at right angles to the gaze. So a camera that looks straight along up has no frame, \
             and one that looks almost so has a frame that turns wildly with every small movement.",
-        draw: drawing::nothing,
+        draw: drawing::camera_axes,
         source: include_str!("camera_frame.rs"),
     }
 }

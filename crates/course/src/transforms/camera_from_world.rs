@@ -4,9 +4,10 @@ use glam::{Mat4, Vec3, Vec4, vec3};
 use testkit::by_hand::point3;
 use vocabulary::Basis;
 
+use super::drawing;
 use super::inputs::{STANDARD, basis};
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! From the world to the camera (the pipeline's first two matrices, L1).
 //!
@@ -64,7 +65,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "The camera stands at the columns u, v, w, e: that matrix carries camera coordinates to the world, and \
             ours is its inverse. The last column is not −e but (−u·e, −v·e, −w·e): minus the eye, as the camera's own axes \
             measure it. M is rigid: it moves the world without bending it.",
-        draw: drawing::nothing,
+        draw: drawing::world_before_the_camera,
         source: include_str!("camera_from_world.rs"),
     }
 }

@@ -5,10 +5,11 @@ use testkit::by_hand::share;
 use vocabulary::ViewVolume;
 use worker::{Plain, Value};
 
+use super::drawing;
 use super::inputs::{two_shares, volume};
 use crate::exercise::{arguments, signature};
 use crate::law::that;
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! From the camera to the canonical cube (L2 and L3).
 //!
@@ -40,10 +41,10 @@ pub fn canonical_from_camera(volume: ViewVolume) -> Mat4 {
 
 signature!((volume: ViewVolume) -> Mat4);
 
-/// In x and y the sum of two terms below 2·|r|/(r−l) + |l+r|/(r−l) ≤ 28, l and r being at most 10 and r − l at least 1. In z
-/// the terms are below 2·(2|f|+|n|)/(n−f) ≤ 22, the worst being n = −3, f = −4. Eight roundings, 8 · 28 · 2⁻²⁴ ≈ 1.4e-5; other
-/// orders of the same products get twice as much.
-const TOLERANCE: f32 = 3e-5;
+/// In x and y the sum of two terms below 2·|r|/(r−l) + |l+r|/(r−l) ≤ 11, the worst being l = 4, r = 6. In z the terms are below
+/// 2·(2|f|+|n|)/(n−f) ≤ 22, the worst being n = −3, f = −4. Eight roundings, 8 · 22 · 2⁻²⁴ ≈ 1.1e-5; other orders of the same
+/// products get twice as much.
+const TOLERANCE: f32 = 2.5e-5;
 
 pub(super) fn exercise() -> Exercise {
     Exercise {
@@ -73,7 +74,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "After this every volume looks the same: visible is what lies between −1 and 1 in all three \
             coordinates. Here near is +1, so larger z is nearer; OpenGL has near at −1 and w > 0, and its matrix is diag(−1, \
             −1, 1, −1) times this one (E2).",
-        draw: drawing::nothing,
+        draw: drawing::cube_from_pyramid,
         source: include_str!("canonical_from_camera.rs"),
     }
 }

@@ -4,9 +4,10 @@ use glam::{Mat4, Vec3, Vec4, vec3};
 use testkit::by_hand::point3;
 use vocabulary::Basis;
 
+use super::drawing;
 use super::inputs::{STANDARD, basis};
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! Carry one basis to another (slide's exercise 6.10, L11).
 //!
@@ -62,7 +63,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "Transpose of R(to) times R(from): take the coordinates along the old axes, spend them along the new \
             ones. Both bases are right-handed here, so M is a rotation; were one of them left-handed, the same formula would \
             give a mirror, with determinant -1 (E15).",
-        draw: drawing::nothing,
+        draw: drawing::carried_axes,
         source: include_str!("change_of_basis.rs"),
     }
 }

@@ -4,9 +4,10 @@ use glam::{Mat4, Vec3, Vec4, vec3};
 use testkit::by_hand::point3;
 use vocabulary::Basis;
 
+use super::drawing;
 use super::inputs::{STANDARD, basis};
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! Carry the other basis back (slide's exercise 6.11, L12).
 //!
@@ -60,7 +61,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "R(from)ᵀ · R(to) is also the transpose of M, and also M with `from` and `to` exchanged: three ways to \
             the same matrix, none of which needs a division. For a matrix whose columns are unit vectors at right angles, \
             the inverse is always this cheap.",
-        draw: drawing::nothing,
+        draw: drawing::carried_back_axes,
         source: include_str!("change_of_basis_inverse.rs"),
     }
 }

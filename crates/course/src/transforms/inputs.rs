@@ -20,9 +20,9 @@ pub(super) fn near_and_far() -> impl Strategy<Value = (f32, f32)> + Clone {
     (near, between(1, 12)).prop_map(|(near, depth)| (-near, -near - depth))
 }
 
-/// A viewing volume whose window is between 1 and 6 wide and high and rarely lies in the middle: l and b in [−4, 4].
+/// A viewing volume whose window is between 2 and 6 wide and high and rarely lies in the middle: l and b in [−4, 4].
 pub(super) fn volume() -> impl Strategy<Value = ViewVolume> + Clone {
-    (coordinate(4), between(1, 6), coordinate(4), between(1, 6), near_and_far()).prop_map(
+    (coordinate(4), between(2, 6), coordinate(4), between(2, 6), near_and_far()).prop_map(
         |(left, width, bottom, height, (near, far))| ViewVolume {
             left,
             right: left + width,
@@ -34,9 +34,10 @@ pub(super) fn volume() -> impl Strategy<Value = ViewVolume> + Clone {
     )
 }
 
-/// A screen's width and height in pixels, at most 16 × 12; one pixel is the smallest.
+/// A screen's width and height in pixels, at most 16 × 12. One in four may be as small as one pixel; shrinks to 4 × 3, where
+/// there is something to see.
 pub(super) fn screen() -> impl Strategy<Value = (u32, u32)> + Clone {
-    (1..=16_u32, 1..=12_u32)
+    prop_oneof![3 => (4..=16_u32, 3..=12_u32), 1 => (1..=16_u32, 1..=12_u32)]
 }
 
 /// A screen and one of its pixels.

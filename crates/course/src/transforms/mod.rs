@@ -5,6 +5,7 @@ mod camera_from_world;
 mod canonical_from_camera;
 mod change_of_basis;
 mod change_of_basis_inverse;
+mod drawing;
 mod inputs;
 mod perspective;
 mod rotate_about_point;

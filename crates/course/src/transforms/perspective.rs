@@ -4,10 +4,11 @@ use glam::{Mat4, Vec3, vec3};
 use testkit::by_hand::{point2, share};
 use worker::{Plain, Value};
 
+use super::drawing;
 use super::inputs::{near_and_far, two_shares};
 use crate::exercise::{arguments, signature};
 use crate::law::that;
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! The perspective matrix (L2).
 //!
@@ -64,7 +65,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "n and f are negative here, and so is w' = z for all that is visible: whoever clips by −w ≤ x ≤ w needs \
             w > 0 and so the negated matrix, which has the same images (E2). z'/w' = n + f − f·n/z: depth is squeezed \
             towards the far plane, which is why a z-buffer's steps are coarse there.",
-        draw: drawing::nothing,
+        draw: drawing::box_from_pyramid,
         source: include_str!("perspective.rs"),
     }
 }

@@ -5,8 +5,9 @@ use std::f32::consts::{FRAC_PI_2, PI};
 use glam::{Mat3, Vec2, mat3, vec2, vec3};
 use testkit::by_hand::{angle, point2};
 
+use super::drawing;
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! Rotate about a point (slide's exercise 6.9, L10).
 //!
@@ -55,7 +56,7 @@ pub(super) fn exercise() -> Exercise {
         misconceptions: misconceptions(),
         explanation: "T(p)·R·T(−p) says `do it elsewhere`: go there, do it, come back. The same sandwich scales about a point, mirrors in a \
             line, and turns a camera about what it looks at. Its linear part is R itself; only the last column knows p.",
-        draw: drawing::nothing,
+        draw: drawing::rotation,
         source: include_str!("rotate_about_point.rs"),
     }
 }
@@ -206,7 +207,7 @@ fn without_the_minus(theta: f32, p: Vec2) -> Mat3 {
 }
 
 fn transposed(theta: f32, p: Vec2) -> Mat3 {
-    slide(theta, p).transpose()
+    (Mat3::from_translation(p) * Mat3::from_angle(theta) * Mat3::from_translation(-p)).transpose()
 }
 
 fn about_the_origin(theta: f32, _p: Vec2) -> Mat3 {

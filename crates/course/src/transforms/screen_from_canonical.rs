@@ -1,12 +1,13 @@
 //! Which pixel is it? From the canonical square to the screen (L4).
 
-use glam::{Mat4, Vec4, vec3};
+use glam::{Mat4, Vec4, vec2, vec3};
 use proptest::prelude::*;
 use testkit::by_hand::share;
 
+use super::drawing;
 use super::inputs::{screen, screen_and_pixel};
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! From the canonical cube to the screen: the viewport matrix (L4).
 //!
@@ -66,7 +67,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "The half pixels come from the convention that a pixel's centre has whole coordinates: the screen's \
             edge then lies half a pixel before the first centre. Where pixel corners have whole coordinates, as in many \
             libraries, the translation is n_x/2. Mixing both shifts every picture by half a pixel.",
-        draw: drawing::nothing,
+        draw: drawing::square_on_the_screen,
         source: include_str!("screen_from_canonical.rs"),
     }
 }
@@ -106,9 +107,10 @@ fn laws() -> Vec<Law> {
         )
         .over((screen(), canonical()), |&((width, height), z), program| {
             let m: Mat4 = program.ask(arguments![width, height])?;
-            let last = vec3(width as f32 - 0.5, height as f32 - 0.5, z);
-            close("the image of (−1, −1, z)", m.project_point3(vec3(-1.0, -1.0, z)), vec3(-0.5, -0.5, z), TOLERANCE)?;
-            close("the image of (1, 1, z)", m.project_point3(vec3(1.0, 1.0, z)), last, TOLERANCE)
+            let image = |x: f32, y: f32| m.project_point3(vec3(x, y, z)).truncate();
+            let last = vec2(width as f32 - 0.5, height as f32 - 0.5);
+            close("x and y of (−1, −1, z)", image(-1.0, -1.0), vec2(-0.5, -0.5), TOLERANCE)?;
+            close("x and y of (1, 1, z)", image(1.0, 1.0), last, TOLERANCE)
         }),
         Law::of(
             "centres_are_whole",
@@ -121,7 +123,7 @@ fn laws() -> Vec<Law> {
             let cell = |at: u32, count: u32| (2 * at + 1) as f32 / count as f32 - 1.0;
             let centre = vec3(cell(i, width), cell(j, height), 0.0);
             let landed = m.project_point3(centre).truncate();
-            close("the centre", landed, glam::vec2(i as f32, j as f32), TOLERANCE)
+            close("the centre", landed, vec2(i as f32, j as f32), TOLERANCE)
         }),
         Law::of(
             "depth_stays",

@@ -3,9 +3,10 @@
 use glam::{Mat3, Vec2, mat3, vec2, vec3};
 use vocabulary::ViewVolume;
 
+use super::drawing;
 use super::inputs::{screen, screen_and_pixel, volume};
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! From the pixel to the window (L8).
 //!
@@ -63,7 +64,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "Every pixel gets a cell of the window, and its ray goes through the middle of the cell. The rasterizer \
             goes the other way, from the window through [−1, 1] to the screen: the two matrices undo each other up to that \
             range, which is why ray tracer and z-buffer can make the same picture.",
-        draw: drawing::nothing,
+        draw: drawing::pixels_on_the_window,
         source: include_str!("window_from_pixel.rs"),
     }
 }

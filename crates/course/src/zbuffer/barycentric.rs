@@ -4,9 +4,10 @@ use glam::{Vec2, vec2};
 use testkit::by_hand::point2;
 use vocabulary::{Barycentric, Triangle2};
 
+use super::drawing;
 use super::inputs::{in_order, order, triangle, triangle_without_area};
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing, that};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, that};
 
 const STUB: &str = r#"//! Barycentric coordinates on the screen (L48).
 //!
@@ -50,20 +51,20 @@ pub(super) fn exercise() -> Exercise {
         signature: SIGNATURE,
         hints: [
             "p − a = β (b − a) + γ (c − a) holds for x and for y: two equations, two unknowns.",
-            "Cramer's rule: each unknown is a quotient of two determinants, and a 2×2 determinant is a `perp_dot`. \
-                The denominator is the same for both: (b − a) × (c − a). When is it 0?",
-            "β = (p − a) × (c − a) / d, γ = (b − a) × (p − a) / d with d = (b − a) × (c − a), × being `perp_dot`; α is what is \
-                missing to 1.",
+            "Cramer's rule: each unknown is a quotient of two determinants, and a 2×2 determinant is a `perp_dot`. The \
+                denominator is the same for both: (b − a) × (c − a). When is it 0?",
+            "β = (p − a) × (c − a) / d, γ = (b − a) × (p − a) / d with d = (b − a) × (c − a), × being `perp_dot`; α is what \
+                is missing to 1.",
         ],
         examples: examples(),
         laws: laws(),
         reference: program!(by_cramers_rule),
         variants: vec![program!(as_shares_of_the_area), program!(by_dot_products), program!(by_the_inverse)],
         misconceptions: misconceptions(),
-        explanation: "Each weight is a share of the area: α is the area of pbc through that of abc, signed. So α is 1 at a, 0 on the \
-            whole side bc and negative beyond it: the three signs say whether p is inside, the three values mix whatever the \
-            corners carry. Quotients of areas do not care which way round the corners run: both signs flip.",
-        draw: drawing::nothing,
+        explanation: "Each weight is a share of the area: α is the area of pbc through that of abc, signed. So α is 1 at a, \
+            0 on the whole side bc and negative beyond it: the three signs say whether p is inside, the three values mix \
+            whatever the corners carry. Quotients of areas do not care which way round the corners run: both signs flip.",
+        draw: drawing::weights,
         source: include_str!("barycentric.rs"),
     }
 }
@@ -101,8 +102,8 @@ fn laws() -> Vec<Law> {
             "weights_make_the_point",
             3,
             "The weighted corners make the point: αa + βb + γc = p.",
-            "The weights make another point. Does each weight belong to its corner, is it divided by the right area, and does it \
-                keep its sign outside?",
+            "The weights make another point. Does each weight belong to its corner, is it divided by the right area, and \
+                does it keep its sign outside?",
         )
         .over((triangles(), point2(4)), |&(triangle, p), program| {
             let weights = program.ask::<Option<Barycentric>>(arguments![triangle, p])?;
@@ -214,13 +215,14 @@ fn misconceptions() -> Vec<Misconception> {
         Misconception {
             program: program!(of_the_wrong_corners),
             looks_like: "each weight belongs to another corner",
-            help: "α belongs to a, and it is the share of the triangle that does not touch a: pbc. At a itself that is all of it.",
+            help: "α belongs to a, and it is the share of the triangle that does not touch a: pbc. At a itself that is all \
+                of it.",
         },
         Misconception {
             program: program!(unsigned_areas),
             looks_like: "areas have lost their sign",
-            help: "Outside, a small triangle is turned over and its area counts as negative: only then the three still sum to the \
-                whole.",
+            help: "Outside, a small triangle is turned over and its area counts as negative: only then the three still sum \
+                to the whole.",
         },
         Misconception {
             program: program!(not_divided),
@@ -235,7 +237,8 @@ fn misconceptions() -> Vec<Misconception> {
         Misconception {
             program: program!(none_outside),
             looks_like: "a point outside the triangle gets no weights",
-            help: "Weights exist for every point of the plane; outside some are negative. Whether p is inside is another question.",
+            help: "Weights exist for every point of the plane; outside some are negative. Whether p is inside is another \
+                question.",
         },
         Misconception {
             program: program!(none_clockwise),

@@ -5,10 +5,11 @@ use proptest::prelude::*;
 use testkit::by_hand::{point2, weights};
 use vocabulary::Triangle2;
 
+use super::drawing;
 use super::inputs::{doubled_area, in_order, order, place_on_side, side, triangle, triangle_without_area};
 use crate::exercise::{arguments, signature};
 use crate::law::{Asker, Stop};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, drawing, that};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, that};
 
 const STUB: &str = r#"//! Does a triangle cover a sample? The top-left rule (E10).
 //!
@@ -53,21 +54,24 @@ pub(super) fn exercise() -> Exercise {
         stub: STUB,
         signature: SIGNATURE,
         hints: [
-            "For each side ask on which side of it p lies: the sign of a `perp_dot`. What sign means inside, and when does it not?",
-            "Make the triangle anticlockwise first: exchange b and c if the area is negative. Then p is inside when all three signs \
-                are positive; a 0 means p lies on the line of that side, and the side's direction decides.",
-            "For a side from `from` to `to`, with along = to − from: e = along.perp_dot(p − from). It is passed if e > 0, or if e is 0 \
-                and along.y < 0 (left), or e is 0, along.y is 0 and along.x < 0 (top). All three must be passed.",
+            "For each side ask on which side of it p lies: the sign of a `perp_dot`. What sign means inside, and when does \
+                it not?",
+            "Make the triangle anticlockwise first: exchange b and c if the area is negative. Then p is inside when all \
+                three signs are positive; a 0 means p lies on the line of that side, and the side's direction decides.",
+            "For a side from `from` to `to`, with along = to − from: e = along.perp_dot(p − from). It is passed if e > 0, \
+                or if e is 0 and along.y < 0 (left), or e is 0, along.y is 0 and along.x < 0 (top). All three must be \
+                passed.",
         ],
         examples: examples(),
         laws: laws(),
         reference: program!(by_edge_functions),
         variants: vec![program!(by_a_nudge), program!(by_counting_crossings)],
         misconceptions: misconceptions(),
-        explanation: "The rule is as if each sample were moved a hair to the right and a much finer hair down: then it lies on no side \
-            at all, and in exactly one of the triangles that meet there. That is why a mesh has neither cracks nor samples drawn \
-            twice. It needs exact arithmetic: hardware snaps corners to a grid and counts in whole numbers.",
-        draw: drawing::nothing,
+        explanation: "The rule is as if each sample were moved a hair to the right and a much finer hair down: then it lies \
+            on no side at all, and in exactly one of the triangles that meet there. That is why a mesh has neither cracks \
+            nor samples drawn twice. It needs exact arithmetic: hardware snaps corners to a grid and counts in whole \
+            numbers.",
+        draw: drawing::coverage,
         source: include_str!("covers.rs"),
     }
 }
@@ -118,8 +122,8 @@ fn left_and_top() -> Law {
         "left_and_top_sides_belong",
         2,
         "A sample on a left side or on a top side is covered, a sample on another side is not.",
-        "The sample lies exactly on a side: which way does that side run when the corners run anticlockwise and y upwards? If you \
-            divided, the 0 may have been lost in rounding.",
+        "The sample lies exactly on a side: which way does that side run when the corners run anticlockwise and y upwards? \
+            If you divided, the 0 may have been lost in rounding.",
     )
     .over((side(4), point2(4), place_on_side(), order()), |&((a, b), c, place, order), program| {
         if doubled_area(a, b, c) == 0.0 {
@@ -149,8 +153,8 @@ fn shared_side() -> Law {
         "a_shared_side_is_covered_once",
         2,
         "A sample on the side that two triangles share is covered by exactly one of them.",
-        "Both triangles see the same side from different sides: the answer must depend on where the triangle lies, not only on \
-            the side.",
+        "Both triangles see the same side from different sides: the answer must depend on where the triangle lies, not only \
+            on the side.",
     )
     .over(
         (side(4), point2(4), point2(4), place_on_side(), order(), order()),

@@ -5,9 +5,10 @@ use proptest::prelude::*;
 use testkit::by_hand::{coordinate, point2, share};
 use vocabulary::Triangle;
 
+use super::drawing;
 use super::inputs::{in_order, order, triangle};
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! The depth of a triangle at a point of the screen (L18, E9).
 //!
@@ -34,8 +35,8 @@ pub fn depth_at(triangle: Triangle, p: Vec2) -> f32 {
 signature!((triangle: Triangle, p: Vec2) -> f32);
 
 /// Coordinates are at most 4, twice the area is at least 4, depths are at most 1: a weight is at most 2·8·8 / 4 = 32, a depth at
-/// most 96. It is a sum of products, or a quotient of such, with some 8 roundings of 2⁻²⁴ · 96: 5e-5; a law that mixes two of them
-/// gets twice that. The slide's solution is off by less than 2e-5 against f64.
+/// most 96. It is a sum of products, or a quotient of such, with some 8 roundings of 2⁻²⁴ · 96: 5e-5; a law that mixes two
+/// of them gets twice that. The slide's solution is off by less than 2e-5 against f64.
 const TOLERANCE: f32 = 1e-4;
 
 /// The least doubled area of a triangle on the screen: see [`TOLERANCE`].
@@ -53,18 +54,18 @@ pub(super) fn exercise() -> Exercise {
         hints: [
             "You can already say how much each corner weighs at p. What do you do with the corners' depths?",
             "Leave z out and compute the barycentric coordinates of p on the screen. Then the same weights mix the three depths.",
-            "d = (b − a) × (c − a), β = (p − a) × (c − a) / d, γ = (b − a) × (p − a) / d on the screen; \
-                z = z_a + β (z_b − z_a) + γ (z_c − z_a).",
+            "d = (b − a) × (c − a), β = (p − a) × (c − a) / d, γ = (b − a) × (p − a) / d on the screen; z = z_a + β (z_b − \
+                z_a) + γ (z_c − z_a).",
         ],
         examples: examples(),
         laws: laws(),
         reference: program!(weighted_sum),
         variants: vec![program!(from_the_plane), program!(by_steps_of_a_pixel)],
         misconceptions: misconceptions(),
-        explanation: "After the projection a plane is still a plane, so on the screen its depth is affine: one step to the right always \
-            adds the same. Hardware adds that step from pixel to pixel. The camera's own depth is not affine on the screen, and \
-            neither are texture coordinates: for those 1/w is interpolated first (E9).",
-        draw: drawing::nothing,
+        explanation: "After the projection a plane is still a plane, so on the screen its depth is affine: one step to the \
+            right always adds the same. Hardware adds that step from pixel to pixel. The camera's own depth is not affine \
+            on the screen, and neither are texture coordinates: for those 1/w is interpolated first (E9).",
+        draw: drawing::depths,
         source: include_str!("depth_at.rs"),
     }
 }
@@ -127,8 +128,8 @@ fn laws() -> Vec<Law> {
             "depth_is_affine",
             3,
             "From p to q the depth changes evenly: a share s of the way is a share s of the change.",
-            "The depth does not change evenly along a line of the screen: after projection it must. Is anything but a sum of \
-                weights times depths in your formula, and do the weights keep their sign outside?",
+            "The depth does not change evenly along a line of the screen: after projection it must. Is anything but a sum \
+                of weights times depths in your formula, and do the weights keep their sign outside?",
         )
         .over((deep_triangle(), point2(4), point2(4), share()), |&(triangle, p, q, share), program| {
             let z_p: f32 = program.ask(arguments![triangle, p])?;
@@ -151,8 +152,8 @@ fn laws() -> Vec<Law> {
             "depths_may_be_counted_anew",
             2,
             "Depths that are all scaled and shifted alike give depths scaled and shifted in the same way.",
-            "z and k·z + m are two ways to count the same depth, so p must lie equally deep by both. What in your formula depends on \
-                where the 0 of z lies?",
+            "z and k·z + m are two ways to count the same depth, so p must lie equally deep by both. What in your formula \
+                depends on where the 0 of z lies?",
         )
         .over((deep_triangle(), point2(4), share(), coordinate(1)), |&(triangle, p, scale, shift), program| {
             let scale = 0.5 * scale;
@@ -166,7 +167,8 @@ fn laws() -> Vec<Law> {
             "the_order_of_corners_does_not_matter",
             1,
             "The same corners in another order, clockwise or anticlockwise, give the same depth.",
-            "Only the order of the corners changed. Does each weight meet the depth of its own corner, and which sign has the area?",
+            "Only the order of the corners changed. Does each weight meet the depth of its own corner, and which sign has \
+                the area?",
         )
         .over((deep_triangle(), point2(4), order()), |&(triangle, p, order), program| {
             let corners = [triangle.a, triangle.b, triangle.c];
@@ -216,8 +218,8 @@ fn misconceptions() -> Vec<Misconception> {
         Misconception {
             program: program!(through_the_inverse),
             looks_like: "1/z is interpolated",
-            help: "1/w is what one interpolates for the camera's depth and for texture coordinates. z after the projection is affine \
-                on the screen already.",
+            help: "1/w is what one interpolates for the camera's depth and for texture coordinates. z after the projection \
+                is affine on the screen already.",
         },
         Misconception {
             program: program!(depths_of_the_wrong_corners),

@@ -3,10 +3,12 @@
 mod barycentric;
 mod covers;
 mod depth_at;
+mod drawing;
 mod inputs;
 mod painters_order;
 mod rasterize;
-mod z_buffer_algorithm;
+#[allow(clippy::module_inception, reason = "the concept and the exercise have one name in the lecture")]
+mod zbuffer;
 
 use crate::Exercise;
 
@@ -17,7 +19,7 @@ pub(crate) fn exercises() -> Vec<Exercise> {
         covers::exercise(),
         depth_at::exercise(),
         rasterize::exercise(),
-        z_buffer_algorithm::exercise(),
+        zbuffer::exercise(),
         painters_order::exercise(),
     ]
 }

@@ -3,9 +3,10 @@
 use proptest::prelude::*;
 use vocabulary::Occlusion;
 
+use super::drawing;
 use crate::exercise::{arguments, signature};
 use crate::law::Stop;
-use crate::{Concept, Example, Exercise, Fault, Law, Misconception, Plain, Title, Value, drawing, that};
+use crate::{Concept, Example, Exercise, Fault, Law, Misconception, Plain, Title, Value, that};
 
 const STUB: &str = r#"//! The painter's order, from back to front (L13, L14).
 //!
@@ -38,20 +39,20 @@ pub(super) fn exercise() -> Exercise {
         signature: SIGNATURE,
         hints: [
             "Which polygon may be drawn first? And once it is drawn, which one next?",
-            "A polygon may be drawn as soon as everything behind it has been drawn. If some are left and none of them may be drawn, \
-                they wait for each other.",
-            "Until all are drawn: find a polygon that is not in the order yet, such that each occlusion with it `in_front` has its \
-                `behind` in the order already; push it. If there is none, return None.",
+            "A polygon may be drawn as soon as everything behind it has been drawn. If some are left and none of them may \
+                be drawn, they wait for each other.",
+            "Until all are drawn: find a polygon that is not in the order yet, such that each occlusion with it `in_front` \
+                has its `behind` in the order already; push it. If there is none, return None.",
         ],
         examples: examples(),
         laws: laws(),
         reference: program!(nothing_left_behind_it),
         variants: vec![program!(from_the_front), program!(depth_first), program!(by_levels)],
         misconceptions: misconceptions(),
-        explanation: "This is a topological order; a graph has one exactly if it has no cycle. Three polygons can already hide each \
-            other in a ring, and then the painter must cut one of them. The z-buffer decides for each pixel instead, and in a \
-            single pixel there is always a nearest polygon.",
-        draw: drawing::nothing,
+        explanation: "This is a topological order; a graph has one exactly if it has no cycle. Three polygons can already \
+            hide each other in a ring, and then the painter must cut one of them. The z-buffer decides for each pixel \
+            instead, and in a single pixel there is always a nearest polygon.",
+        draw: drawing::orders,
         source: include_str!("painters_order.rs"),
     }
 }
@@ -176,8 +177,8 @@ fn laws() -> Vec<Law> {
             "every_polygon_once",
             2,
             "An order holds every polygon once.",
-            "Something is missing or drawn twice. Where do you meet a polygon that hides nothing and that nothing hides, and one that \
-                several others hide?",
+            "Something is missing or drawn twice. Where do you meet a polygon that hides nothing and that nothing hides, \
+                and one that several others hide?",
         )
         .over(drawable(), |scene, program| {
             let order: Option<Vec<usize>> = program.ask(scene.open())?;
@@ -197,7 +198,8 @@ fn laws() -> Vec<Law> {
             "a_cycle_has_no_order",
             3,
             "Polygons that hide each other in a ring cannot be drawn in any order: None.",
-            "There is a cycle, of two polygons or of more, and an order came out. What does your program do when it can choose none?",
+            "There is a cycle, of two polygons or of more, and an order came out. What does your program do when it can \
+                choose none?",
         )
         .over(nearly_cyclic(), |scene, program| {
             let order: Option<Vec<usize>> = program.ask(scene.closed())?;
@@ -207,8 +209,8 @@ fn laws() -> Vec<Law> {
             "without_its_last_pair_a_cycle_can_be_drawn",
             2,
             "If one pair of the only ring is taken away, there is an order again.",
-            "This is a long chain, not a cycle: each polygon is behind the next one only. An order for a chain must respect all of it, \
-                not only neighbours in the list.",
+            "This is a long chain, not a cycle: each polygon is behind the next one only. An order for a chain must respect \
+                all of it, not only neighbours in the list.",
         )
         .over(nearly_cyclic(), |scene, program| {
             let order: Option<Vec<usize>> = program.ask(scene.open())?;
@@ -319,8 +321,8 @@ fn misconceptions() -> Vec<Misconception> {
         Misconception {
             program: program!(met_twice_is_a_cycle),
             looks_like: "a polygon that is met twice counts as a cycle",
-            help: "Two polygons may both be in front of a third. A cycle is a way that leads back to a polygon that still waits; one that \
-                is drawn already is no harm.",
+            help: "Two polygons may both be in front of a third. A cycle is a way that leads back to a polygon that still \
+                waits; one that is drawn already is no harm.",
         },
         Misconception {
             program: program!(only_those_with_a_pair),
@@ -335,8 +337,8 @@ fn misconceptions() -> Vec<Misconception> {
         Misconception {
             program: program!(pairs_only_once),
             looks_like: "each pair is put in order once, and later exchanges disturb it",
-            help: "Exchanging two polygons may break a pair that was in order before. Look again until nothing changes, or choose one \
-                polygon at a time.",
+            help: "Exchanging two polygons may break a pair that was in order before. Look again until nothing changes, or \
+                choose one polygon at a time.",
         },
     ]
 }

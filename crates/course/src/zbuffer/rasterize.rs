@@ -4,12 +4,13 @@ use glam::{Vec2, vec2};
 use proptest::prelude::*;
 use vocabulary::{Pixel, Triangle2};
 
+use super::drawing;
 use super::inputs::{
     doubled_area, in_order, order, pixels, triangle_about_the_screen, triangle_without_area,
 };
 use crate::exercise::{arguments, signature};
 use crate::law::{Asker, Stop};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, Value, drawing, that};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, Value, that};
 
 const STUB: &str = r#"//! The pixels of a triangle (L16, E10).
 //!
@@ -46,8 +47,8 @@ pub(super) fn exercise() -> Exercise {
         signature: SIGNATURE,
         hints: [
             "You can already say whether a triangle covers a sample. Which samples are there to ask about?",
-            "Two loops, over j from 0 and over i from 0, and the test of `covers` at the point (i, j). Only then make it faster: samples \
-                outside the box around the corners need no test.",
+            "Two loops, over j from 0 and over i from 0, and the test of `covers` at the point (i, j). Only then make it \
+                faster: samples outside the box around the corners need no test.",
             "for j in 0..height { for i in 0..width { if covers(triangle, vec2(i as f32, j as f32)) { push Pixel { i, j } } } }",
         ],
         examples: examples(),
@@ -55,10 +56,10 @@ pub(super) fn exercise() -> Exercise {
         reference: program!(within_the_box),
         variants: vec![program!(over_the_whole_screen), program!(row_by_row)],
         misconceptions: misconceptions(),
-        explanation: "A rasterizer asks one question for each sample, and by the top-left rule neighbours never both say yes. The box \
-            around the corners saves most questions; from one sample to the next an edge function changes by a constant, so \
-            hardware asks many at once with additions alone.",
-        draw: drawing::nothing,
+        explanation: "A rasterizer asks one question for each sample, and by the top-left rule neighbours never both say \
+            yes. The box around the corners saves most questions; from one sample to the next an edge function changes by a \
+            constant, so hardware asks many at once with additions alone.",
+        draw: drawing::pixels,
         source: include_str!("rasterize.rs"),
     }
 }
@@ -145,8 +146,8 @@ fn inside_and_outside() -> Law {
         "samples_inside_and_no_others",
         3,
         "Pixels whose samples lie inside are there, pixels whose samples lie outside are not.",
-        "No sample on a side is looked at here. Where is the sample of pixel (i, j), where do your loops begin and end, and which way \
-            do rows and columns count?",
+        "No sample on a side is looked at here. Where is the sample of pixel (i, j), where do your loops begin and end, and \
+            which way do rows and columns count?",
     )
     .over((triangle_about_the_screen(), pixels(), pixels()), |&(triangle, width, height), program| {
         let given: Vec<Pixel> = program.ask(arguments![triangle, width, height])?;
@@ -166,8 +167,8 @@ fn each_pixel_once() -> Law {
         "each_pixel_once_and_on_the_screen",
         1,
         "Every pixel is on the screen and there only once.",
-        "A pixel is there that the screen does not have, or one is there twice. Where do the columns and the rows end, and what \
-            becomes of a negative number in a u32?",
+        "A pixel is there that the screen does not have, or one is there twice. Where do the columns and the rows end, and \
+            what becomes of a negative number in a u32?",
     )
     .over((triangle_about_the_screen(), pixels(), pixels()), |&(triangle, width, height), program| {
         let given: Vec<Pixel> = program.ask(arguments![triangle, width, height])?;
@@ -184,8 +185,8 @@ fn rectangle() -> Law {
     Law::of(
         "a_rectangle_owns_left_and_top",
         2,
-        "Two triangles make a rectangle with corners on samples: it owns its left column and its top row, but not its right column \
-            and its bottom row.",
+        "Two triangles make a rectangle with corners on samples: it owns its left column and its top row, but not its right \
+            column and its bottom row.",
         "The rectangle's sides go through samples, and so may its diagonal: which sides are left or top, with y upwards?",
     )
     .over(
@@ -229,8 +230,8 @@ fn shared_side() -> Law {
     Law::of(
         "neighbours_share_no_pixel",
         2,
-        "Two triangles with a common side have no pixel in common, and a sample on the side between its ends belongs to one of \
-            them.",
+        "Two triangles with a common side have no pixel in common, and a sample on the side between its ends belongs to one \
+            of them.",
         "A sample on the common side is drawn twice or not at all: the top-left rule decides which of the two owns it.",
     )
     .over((crossed_side(), order(), order()), |&([from, to, c, d], first, second), program| {

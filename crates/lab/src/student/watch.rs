@@ -36,7 +36,7 @@ pub(crate) fn run(asked: &WatchArgs) -> Result<Outcome, Failure> {
     let exercise = first(&bench, asked.name.as_deref())?;
     let judge = bench.judge(None)?;
     let (to, happenings) = channel();
-    let folder = bench.root.join("exercises");
+    let folder = bench.exercises.clone();
     let changes = changes::watch(&folder, asked.poll, &to).map_err(|e| {
         Failure::new(
             format!("{} cannot be watched: {e}", folder.display()),

@@ -24,7 +24,7 @@ pub(crate) fn meant(bench: &Workbench, words: &[String]) -> Result<Vec<Meant>, F
     let mut chosen: Vec<(usize, PathBuf)> = Vec::new();
     let exercises = course::all();
     for word in words {
-        for (at, file) in of_word(bench, &exercises, word)? {
+        for (at, file) in of_word(bench, &exercises, word, Prefer::Concept)? {
             if chosen.iter().all(|other| *other != (at, file.clone())) {
                 chosen.push((at, file));
             }
@@ -52,7 +52,7 @@ pub(crate) fn all(bench: &Workbench) -> Vec<Meant> {
 /// [`Failure`] if there is none, with the nearest that there is.
 pub(crate) fn one(bench: &Workbench, word: &str) -> Result<Exercise, Failure> {
     let exercises = course::all();
-    let places = of_word(bench, &exercises, word)?;
+    let places = of_word(bench, &exercises, word, Prefer::Exercise)?;
     match places.as_slice() {
         [(at, _)] => exercises.into_iter().nth(*at).ok_or_else(|| unknown(word)),
         _ => Err(Failure::new(
@@ -62,13 +62,37 @@ pub(crate) fn one(bench: &Workbench, word: &str) -> Result<Exercise, Failure> {
     }
 }
 
-fn of_word(bench: &Workbench, exercises: &[Exercise], word: &str) -> Result<Vec<(usize, PathBuf)>, Failure> {
-    if let Some(at) = exercises.iter().position(|exercise| exercise.name == word) {
-        return Ok(vec![(at, bench.file(&exercises[at]))]);
-    }
-    if let Some(concept) = Concept::ALL.into_iter().find(|concept| concept.name() == word) {
-        let of_concept = exercises.iter().enumerate().filter(|(_, exercise)| exercise.concept == concept);
-        return Ok(of_concept.map(|(at, exercise)| (at, bench.file(exercise))).collect());
+/// What a word means that names both, as `zbuffer` does.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Prefer {
+    Concept,
+    Exercise,
+}
+
+fn of_word(
+    bench: &Workbench,
+    exercises: &[Exercise],
+    word: &str,
+    prefer: Prefer,
+) -> Result<Vec<(usize, PathBuf)>, Failure> {
+    let of_concept = || {
+        let of_concept = exercises.iter().enumerate().filter(|(_, exercise)| exercise.concept.name() == word);
+        of_concept.map(|(at, exercise)| (at, bench.file(exercise))).collect::<Vec<_>>()
+    };
+    let of_name = || {
+        let is_meant =
+            |exercise: &Exercise| exercise.name == word || exercise.path().trim_end_matches(".rs") == word;
+        let at = exercises.iter().position(is_meant);
+        at.map(|at| (at, bench.file(&exercises[at]))).into_iter().collect()
+    };
+    let (first, second) = match prefer {
+        Prefer::Concept => (of_concept(), of_name()),
+        Prefer::Exercise => (of_name(), of_concept()),
+    };
+    for found in [first, second] {
+        if !found.is_empty() {
+            return Ok(found);
+        }
     }
     let path = Path::new(word);
     if word.ends_with(".rs") || path.components().count() > 1 {
@@ -87,7 +111,7 @@ fn of_path(bench: &Workbench, exercises: &[Exercise], path: &Path) -> Result<(us
         ));
     };
     // `transforms/lambert.rs` may also be meant from the folder of exercises.
-    let in_exercises = bench.root.join("exercises").join(path);
+    let in_exercises = bench.exercises.join(path);
     let in_root = bench.root.join(path);
     let found = [path.to_owned(), in_root, in_exercises].into_iter().find(|candidate| candidate.is_file());
     let file = found.unwrap_or_else(|| path.to_owned());

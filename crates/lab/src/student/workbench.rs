@@ -17,13 +17,20 @@ use crate::unfinished::Unfinished;
 /// of the file.
 pub(crate) const SEED: u64 = 1;
 
+/// Names another folder of exercises than that of the project: a group's on a shared drive, say.
+const ELSEWHERE: &str = "LIGHTLAB_EXERCISES";
+
 /// A copy of the project, with its exercises.
 #[derive(Clone, Debug)]
 pub(crate) struct Workbench {
     /// The project's folder.
     pub(crate) root: PathBuf,
-    /// Where verdicts are remembered and pictures drawn; all of it can be made again.
+    /// The folder of the exercises.
+    pub(crate) exercises: PathBuf,
+    /// Where verdicts are remembered and pictures drawn: beside the exercises, so that cleaning what was built loses nothing.
     pub(crate) home: PathBuf,
+    /// Where things are compiled; all of it can be made again.
+    scratch: PathBuf,
 }
 
 impl Workbench {
@@ -44,14 +51,27 @@ impl Workbench {
                 "change to the project's folder: the one with `exercises` and `crates` in it",
             ));
         };
-        let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
-        let target = if target.is_absolute() { target } else { root.join(target) };
-        Ok(Self { root: root.to_owned(), home: target.join("lightlab") })
+        let exercises =
+            std::env::var_os(ELSEWHERE).map_or_else(|| root.join("exercises"), |folder| here.join(folder));
+        if !exercises.is_dir() {
+            return Err(Failure::new(
+                format!("{ELSEWHERE} names {}, which is no folder", exercises.display()),
+                "name the folder with the concepts' folders in it, or unset the variable",
+            ));
+        }
+        let target =
+            std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), |it| here.join(it));
+        Ok(Self {
+            root: root.to_owned(),
+            home: exercises.join(".lightlab"),
+            exercises,
+            scratch: target.join("lightlab"),
+        })
     }
 
     /// Where the student's file of an exercise lies.
     pub(crate) fn file(&self, exercise: &Exercise) -> PathBuf {
-        self.root.join("exercises").join(exercise.path())
+        self.exercises.join(exercise.path())
     }
 
     /// A path as the user would type it, from the current folder.
@@ -69,17 +89,19 @@ impl Workbench {
     /// # Errors
     /// [`Failure`] if they cannot be built.
     pub(crate) fn judge(&self, limit: Option<Duration>) -> Result<Judge, Failure> {
-        fs::create_dir_all(&self.home).map_err(|e| {
-            Failure::io("make the folder", &self.home, &e, "free some space, or make it writable")
+        fs::create_dir_all(&self.scratch).map_err(|e| {
+            Failure::io("make the folder", &self.scratch, &e, "free some space, or make it writable")
         })?;
-        let memory = self.home.join("kit.json");
-        let build = Build::of(env!("CARGO_PKG_NAME"));
+        let memory = self.scratch.join("kit.json");
+        // A debug build is one for tests. What is built for tests of the whole workspace has other features than a build of this package alone, which
+        // would build everything a second time; the worker alone is soon built.
+        let build = Build::of(if cfg!(debug_assertions) { "worker" } else { env!("CARGO_PKG_NAME") });
         let kit = Kit::remembered(&self.root, build, &memory).map_err(|e| {
             Failure::new(e.to_string(), "see that `cargo build --release --package lab` succeeds")
         })?;
         let limits = Limits { time: limit.unwrap_or(Limits::default().time), ..Limits::default() };
         let compiler = Compiler { kit, root: self.root.clone(), colour: ink::on() };
-        Ok(Judge { compiler, limits, scratch: self.home.join("scratch"), memory: Some((memory, build)) })
+        Ok(Judge { compiler, limits, scratch: self.scratch.clone(), memory: Some((memory, build)) })
     }
 
     /// Judges files; of one in which nothing has been done, says so at once.

@@ -3,19 +3,17 @@
 use crate::desk::{Desk, MESH};
 
 #[test]
-fn without_a_command_there_is_help() {
-    let desk = Desk::new();
-    let said = desk.lab("").done();
-    assert_eq!(said.out, desk.lab("--help").done().out);
-    for words in ["render", "compare", "scenes", "Exit codes", "130"] {
-        assert!(said.out.contains(words), "no {words:?} in {}", said.out);
+fn the_help_text_names_the_commands_and_the_exit_codes() {
+    let help = Desk::new().lab("--help").done().out;
+    for words in ["check", "watch", "render", "compare", "scenes", "Exit codes", "130", "board"] {
+        assert!(help.contains(words), "no {words:?} in {help}");
     }
 }
 
 #[test]
 fn no_line_of_help_is_wider_than_a_page() {
     let desk = Desk::new();
-    for command in ["", "render", "compare", "scenes"] {
+    for command in ["", "check", "watch", "hint", "solution", "reset", "render", "compare", "scenes"] {
         for line in desk.lab(&format!("{command} --help")).done().out.lines() {
             assert!(line.chars().count() <= 100, "{line}");
         }

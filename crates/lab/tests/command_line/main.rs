@@ -8,5 +8,6 @@ mod help;
 mod interruption;
 mod render;
 mod scenes;
+mod student;
 mod terminal;
 mod writing;

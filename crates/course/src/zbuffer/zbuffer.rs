@@ -5,9 +5,10 @@ use proptest::prelude::*;
 use testkit::by_hand::colour;
 use vocabulary::{Buffers, Fragment};
 
+use super::drawing;
 use crate::exercise::{arguments, signature};
 use crate::law::{Broken, Stop};
-use crate::{Concept, Example, Exercise, Law, Misconception, Plain, Title, close, drawing, that};
+use crate::{Concept, Example, Exercise, Law, Misconception, Plain, Title, close, that};
 
 const STUB: &str = r#"//! The z-buffer algorithm (L16).
 //!
@@ -28,7 +29,7 @@ const STUB: &str = r#"//! The z-buffer algorithm (L16).
 use glam::Vec3;
 use vocabulary::{Buffers, Fragment};
 
-pub fn z_buffer_algorithm(fragments: &[Fragment], background: Vec3, width: u32, height: u32) -> Buffers {
+pub fn zbuffer(fragments: &[Fragment], background: Vec3, width: u32, height: u32) -> Buffers {
     todo!()
 }
 "#;
@@ -40,7 +41,7 @@ const EXACT: f32 = 0.0;
 
 pub(super) fn exercise() -> Exercise {
     Exercise {
-        name: "z_buffer_algorithm",
+        name: "zbuffer",
         concept: Concept::Zbuffer,
         items: "L16, L17, E16",
         title: Title { english: "The z-buffer algorithm", dutch: "Het z-bufferalgoritme" },
@@ -48,21 +49,24 @@ pub(super) fn exercise() -> Exercise {
         stub: STUB,
         signature: SIGNATURE,
         hints: [
-            "Two buffers of the same size: one says what is seen in a pixel, the other how near that is. What must stand in them \
-                before the first polygon?",
-            "One loop over the fragments. The stored z of the fragment's pixel decides; if the fragment wins, both buffers change.",
-            "for f in fragments { let (i, j) = (f.i as usize, f.j as usize); if f.z > z[j][i] { z[j][i] = f.z; rgb[j][i] = f.colour; } }",
+            "Two buffers of the same size: one says what is seen in a pixel, the other how near that is. What must stand in \
+                them before the first polygon?",
+            "One loop over the fragments. The stored z of the fragment's pixel decides; if the fragment wins, both buffers \
+                change.",
+            "for f in fragments { let (i, j) = (f.i as usize, f.j as usize); if f.z > z[j][i] { z[j][i] = f.z; rgb[j][i] = \
+                f.colour; } }",
         ],
         examples: examples(),
         laws: laws(),
         reference: program!(slide),
         variants: vec![program!(pixel_by_pixel), program!(sorted_first)],
         misconceptions: misconceptions(),
-        explanation: "Nothing was sorted: the nearest of any number of polygons is found with one comparison a fragment, and where no two \
-            depths are equal the order of the polygons does not matter. Where two are equal it does, and with few bits many \
-            become equal: z-fighting. What lies behind is forgotten, so something transparent cannot be mixed in later (L19).",
-        draw: drawing::nothing,
-        source: include_str!("z_buffer_algorithm.rs"),
+        explanation: "Nothing was sorted: the nearest of any number of polygons is found with one comparison a fragment, \
+            and where no two depths are equal the order of the polygons does not matter. Where two are equal it does, and \
+            with few bits many become equal: z-fighting. What lies behind is forgotten, so something transparent cannot be \
+            mixed in later (L19).",
+        draw: drawing::grids,
+        source: include_str!("zbuffer.rs"),
     }
 }
 
@@ -248,7 +252,8 @@ fn nearest_depth() -> Law {
         "the_nearest_depth_is_kept",
         3,
         "The depth of a pixel is the largest z of its fragments, or 0 if it has none.",
-        "The stored depth is not the nearest one: with what is a fragment compared, when is it stored, and which pixel is (i, j)?",
+        "The stored depth is not the nearest one: with what is a fragment compared, when is it stored, and which pixel is \
+            (i, j)?",
     )
     .over(scene_of_few_depths(), |scene, program| {
         let Buffers { z, .. } = program.ask(scene.arguments())?;
@@ -265,8 +270,8 @@ fn colour_of_the_depth() -> Law {
         "colour_and_depth_belong_together",
         2,
         "The colour of a pixel is that of a fragment with the stored depth, or the background's if nothing was nearer than 0.",
-        "Colour and depth of a pixel come from different fragments: whoever wins must be stored in both buffers, whoever loses in \
-            none.",
+        "Colour and depth of a pixel come from different fragments: whoever wins must be stored in both buffers, whoever \
+            loses in none.",
     )
     .over(scene_of_few_depths(), |scene, program| {
         let Buffers { rgb, z } = program.ask(scene.arguments())?;

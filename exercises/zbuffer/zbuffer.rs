@@ -17,6 +17,6 @@
 use glam::Vec3;
 use vocabulary::{Buffers, Fragment};
 
-pub fn z_buffer_algorithm(fragments: &[Fragment], background: Vec3, width: u32, height: u32) -> Buffers {
+pub fn zbuffer(fragments: &[Fragment], background: Vec3, width: u32, height: u32) -> Buffers {
     todo!()
 }
