@@ -16,6 +16,7 @@ mod drawing;
 mod exercise;
 mod fingerprint;
 mod law;
+mod panels;
 mod source;
 pub mod trial;
 

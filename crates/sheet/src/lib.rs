@@ -221,6 +221,14 @@ impl Sheet {
         self.put(html! { path d=(d) class={ "wash f-" (ink.name()) } {} });
     }
 
+    /// A square filled with a colour of its own, sRGB, the same in light and dark: a pixel of a picture.
+    pub fn tile(&mut self, lower_left: Vec2, side: f32, [red, green, blue]: [u8; 3]) {
+        let (corner, side) = (self.at(lower_left), number(side * self.scale));
+        let d = format!("M{}v-{side}h{side}v{side}z", number_pair(corner));
+        let fill = format!("#{red:02x}{green:02x}{blue:02x}");
+        self.put(html! { path d=(d) fill=(fill) shape-rendering="crispEdges" {} });
+    }
+
     /// A circle.
     pub fn circle(&mut self, center: Vec2, radius: f32, pen: Pen) {
         let (c, r) = (self.at(center), radius * self.scale);
@@ -391,6 +399,13 @@ mod tests {
         let svg = sheet.svg(&"a line".into());
         assert!(svg.contains("M0 200L200 50"), "{svg}");
         assert!(svg.contains("viewBox=\"0 0 400 200\"") && svg.contains("aria-label=\"a line\""), "{svg}");
+    }
+
+    #[test]
+    fn a_tile_has_its_lower_left_corner_where_it_is_put() {
+        let mut sheet = Sheet::new(Vec2::ZERO, vec2(4.0, 2.0), 400.0);
+        sheet.tile(vec2(1.0, 0.5), 0.25, [255, 128, 0]);
+        assert!(sheet.svg(&"a tile".into()).contains("M100 150v-25h25v25z\" fill=\"#ff8000\""));
     }
 
     #[test]

@@ -4,7 +4,7 @@ use glam::{Vec3, vec3};
 use testkit::by_hand::{colour, light_colour, normal_and_direction};
 
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! Ambient light and diffuse reflection (L28).
 //!
@@ -54,7 +54,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "c_a has no source and no direction: it stands in for all the light that bounces about in a room, and it is set by \
             trying until it looks right. A grey surface of 0.8 under 0.2 + 1 gives 0.96; a bright lamp gives more than 1, which is \
             nobody's mistake (E8).",
-        draw: drawing::nothing,
+        draw: super::drawing::ambient_and_diffuse,
         source: include_str!("ambient_and_diffuse.rs"),
     }
 }
@@ -213,5 +213,5 @@ fn without_the_maximum(c_r: Vec3, c_a: Vec3, c_l: Vec3, n: Vec3, to_light: Vec3)
 }
 
 fn clamped(c_r: Vec3, c_a: Vec3, c_l: Vec3, n: Vec3, to_light: Vec3) -> Vec3 {
-    slide(c_r, c_a, c_l, n, to_light).min(Vec3::ONE)
+    (c_r * (c_a + c_l * n.dot(to_light).max(0.0))).min(Vec3::ONE)
 }

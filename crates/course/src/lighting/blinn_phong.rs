@@ -6,7 +6,7 @@ use testkit::by_hand::{colour, coordinate, exponent, light_colour, normal_and_di
 use vocabulary::Material;
 
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! The Blinn-Phong lighting model (L34).
 //!
@@ -63,7 +63,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "As the slide prints it, the formula lights a point from behind: with h·n = −0.971 and p = 10 it adds 0.75 (E3), with \
             p = 11 it subtracts, with p = 10.5 it is NaN. And it is not the highlight of e·r: for one as narrow, h·n needs about four \
             times the exponent (E4).",
-        draw: drawing::nothing,
+        draw: super::drawing::blinn_phong,
         source: include_str!("blinn_phong.rs"),
     }
 }
@@ -312,8 +312,10 @@ fn highlight_in_the_surfaces_colour(
     to_light: Vec3,
     to_eye: Vec3,
 ) -> Vec3 {
-    let white = Material { diffuse: Vec3::ONE, ..material };
-    material.diffuse * slide(white, c_a, c_l, n, to_light, to_eye)
+    let facing = n.dot(to_light).max(0.0);
+    let h = (to_eye + to_light).normalize_or_zero();
+    let highlight = if facing > 0.0 { h.dot(n).max(0.0).powf(material.exponent) } else { 0.0 };
+    material.diffuse * (c_a + c_l * (facing + highlight))
 }
 
 fn with_the_mirror_direction(
@@ -372,9 +374,15 @@ fn without_ambient_light(
     to_light: Vec3,
     to_eye: Vec3,
 ) -> Vec3 {
-    slide(material, Vec3::ZERO, c_l, n, to_light, to_eye)
+    let facing = n.dot(to_light).max(0.0);
+    let h = (to_eye + to_light).normalize_or_zero();
+    let highlight = if facing > 0.0 { h.dot(n).max(0.0).powf(material.exponent) } else { 0.0 };
+    c_l * (material.diffuse * facing + highlight)
 }
 
 fn clamped(material: Material, c_a: Vec3, c_l: Vec3, n: Vec3, to_light: Vec3, to_eye: Vec3) -> Vec3 {
-    slide(material, c_a, c_l, n, to_light, to_eye).min(Vec3::ONE)
+    let facing = n.dot(to_light).max(0.0);
+    let h = (to_eye + to_light).normalize_or_zero();
+    let highlight = if facing > 0.0 { h.dot(n).max(0.0).powf(material.exponent) } else { 0.0 };
+    (material.diffuse * (c_a + c_l * facing) + c_l * highlight).min(Vec3::ONE)
 }

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use testkit::by_hand::unit_vector;
 
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing, that};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, that};
 
 const STUB: &str = r#"//! The halfway vector (L33, Fig 10.8).
 //!
@@ -55,7 +55,7 @@ pub(super) fn exercise() -> Exercise {
         misconceptions: misconceptions(),
         explanation: "If the surface were a mirror with normal h, it would send the light straight into the eye: so h·n says how near n is \
             to that. h needs a square root and r none: of the two, the slide calls the wrong one expensive (E5).",
-        draw: drawing::nothing,
+        draw: super::drawing::halfway,
         source: include_str!("halfway.rs"),
     }
 }

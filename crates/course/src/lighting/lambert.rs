@@ -4,7 +4,7 @@ use glam::{Vec3, vec3};
 use testkit::by_hand::{colour, light_colour, normal_and_direction, unit_vector};
 
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! Diffuse or Lambertian reflection (L26, L27).
 //!
@@ -54,7 +54,7 @@ pub(super) fn exercise() -> Exercise {
         misconceptions: misconceptions(),
         explanation: "The eye does not occur in the formula: a matt surface looks equally bright from everywhere. The slide says that the \
             colour is proportional to the angle (E6); it is to the cosine. At 60° half of the light is left, not a third.",
-        draw: drawing::nothing,
+        draw: super::drawing::lambert,
         source: include_str!("lambert.rs"),
     }
 }
@@ -220,11 +220,11 @@ fn by_the_angle_itself(c_r: Vec3, c_l: Vec3, n: Vec3, to_light: Vec3) -> Vec3 {
 }
 
 fn the_other_way(c_r: Vec3, c_l: Vec3, n: Vec3, to_light: Vec3) -> Vec3 {
-    slide(c_r, c_l, n, -to_light)
+    c_r * c_l * n.dot(-to_light).max(0.0)
 }
 
 fn clamped(c_r: Vec3, c_l: Vec3, n: Vec3, to_light: Vec3) -> Vec3 {
-    slide(c_r, c_l, n, to_light).min(Vec3::ONE)
+    (c_r * c_l * n.dot(to_light).max(0.0)).min(Vec3::ONE)
 }
 
 fn colours_added(c_r: Vec3, c_l: Vec3, n: Vec3, to_light: Vec3) -> Vec3 {

@@ -8,7 +8,7 @@ use testkit::by_hand::{
 use vocabulary::{Light, Material, SurfacePoint};
 
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! Phong's lighting model with several lights (L32, L24).
 //!
@@ -68,7 +68,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "Light adds up, so the sum may be above 1: 0.8·(0.2 + 1) + 1 = 1.96 (E8). Whoever clamps each lamp changes the hue: \
             clamp once, at output. A lamp does not grow dim with distance here, for the lecture gives no falloff; the light of a real one \
             falls with the square.",
-        draw: drawing::nothing,
+        draw: super::drawing::light_all,
         source: include_str!("light_all.rs"),
     }
 }
@@ -328,29 +328,87 @@ fn misconceptions() -> Vec<Misconception> {
 }
 
 fn ambient_light_for_each(material: Material, c_a: Vec3, lights: &[Light], at: SurfacePoint) -> Vec3 {
-    lights.iter().map(|light| slide(material, c_a, &[*light], at)).sum()
+    let lit = |light: &Light| {
+        let (to_light, c_l) = match *light {
+            Light::Point { position, colour } => ((position - at.position).normalize(), colour),
+            Light::Directional { to_light, colour } => (to_light, colour),
+        };
+        let facing = at.n.dot(to_light).max(0.0);
+        let r = 2.0 * facing * at.n - to_light;
+        let highlight = if facing > 0.0 { at.to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
+        c_l * (material.diffuse * facing + highlight)
+    };
+    lights.iter().map(|light| material.diffuse * c_a + lit(light)).sum()
 }
 
 fn sum_clamped(material: Material, c_a: Vec3, lights: &[Light], at: SurfacePoint) -> Vec3 {
-    slide(material, c_a, lights, at).min(Vec3::ONE)
+    let lit = |light: &Light| {
+        let (to_light, c_l) = match *light {
+            Light::Point { position, colour } => ((position - at.position).normalize(), colour),
+            Light::Directional { to_light, colour } => (to_light, colour),
+        };
+        let facing = at.n.dot(to_light).max(0.0);
+        let r = 2.0 * facing * at.n - to_light;
+        let highlight = if facing > 0.0 { at.to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
+        c_l * (material.diffuse * facing + highlight)
+    };
+    (material.diffuse * c_a + lights.iter().map(lit).sum::<Vec3>()).min(Vec3::ONE)
 }
 
 fn each_clamped(material: Material, c_a: Vec3, lights: &[Light], at: SurfacePoint) -> Vec3 {
-    let shares = lights.iter().map(|light| slide(material, Vec3::ZERO, &[*light], at).min(Vec3::ONE));
-    material.diffuse * c_a + shares.sum::<Vec3>()
+    let lit = |light: &Light| {
+        let (to_light, c_l) = match *light {
+            Light::Point { position, colour } => ((position - at.position).normalize(), colour),
+            Light::Directional { to_light, colour } => (to_light, colour),
+        };
+        let facing = at.n.dot(to_light).max(0.0);
+        let r = 2.0 * facing * at.n - to_light;
+        let highlight = if facing > 0.0 { at.to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
+        c_l * (material.diffuse * facing + highlight)
+    };
+    material.diffuse * c_a + lights.iter().map(|light| lit(light).min(Vec3::ONE)).sum::<Vec3>()
 }
 
 fn the_average(material: Material, c_a: Vec3, lights: &[Light], at: SurfacePoint) -> Vec3 {
-    let ambient = material.diffuse * c_a;
-    ambient + (slide(material, c_a, lights, at) - ambient) / lights.len().max(1) as f32
+    let lit = |light: &Light| {
+        let (to_light, c_l) = match *light {
+            Light::Point { position, colour } => ((position - at.position).normalize(), colour),
+            Light::Directional { to_light, colour } => (to_light, colour),
+        };
+        let facing = at.n.dot(to_light).max(0.0);
+        let r = 2.0 * facing * at.n - to_light;
+        let highlight = if facing > 0.0 { at.to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
+        c_l * (material.diffuse * facing + highlight)
+    };
+    material.diffuse * c_a + lights.iter().map(lit).sum::<Vec3>() / lights.len().max(1) as f32
 }
 
 fn the_last_one(material: Material, c_a: Vec3, lights: &[Light], at: SurfacePoint) -> Vec3 {
-    slide(material, c_a, &lights[lights.len().saturating_sub(1)..], at)
+    let lit = |light: &Light| {
+        let (to_light, c_l) = match *light {
+            Light::Point { position, colour } => ((position - at.position).normalize(), colour),
+            Light::Directional { to_light, colour } => (to_light, colour),
+        };
+        let facing = at.n.dot(to_light).max(0.0);
+        let r = 2.0 * facing * at.n - to_light;
+        let highlight = if facing > 0.0 { at.to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
+        c_l * (material.diffuse * facing + highlight)
+    };
+    material.diffuse * c_a + lights.last().map_or(Vec3::ZERO, lit)
 }
 
 fn position_as_direction(material: Material, c_a: Vec3, lights: &[Light], at: SurfacePoint) -> Vec3 {
-    slide(material, c_a, lights, SurfacePoint { position: Vec3::ZERO, ..at })
+    let lit = |light: &Light| {
+        let (to_light, c_l) = match *light {
+            Light::Point { position, colour } => (position.normalize(), colour),
+            Light::Directional { to_light, colour } => (to_light, colour),
+        };
+        let facing = at.n.dot(to_light).max(0.0);
+        let r = 2.0 * facing * at.n - to_light;
+        let highlight = if facing > 0.0 { at.to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
+        c_l * (material.diffuse * facing + highlight)
+    };
+    material.diffuse * c_a + lights.iter().map(lit).sum::<Vec3>()
 }
 
 fn direction_not_of_unit_length(material: Material, c_a: Vec3, lights: &[Light], at: SurfacePoint) -> Vec3 {
@@ -370,13 +428,20 @@ fn direction_not_of_unit_length(material: Material, c_a: Vec3, lights: &[Light],
 }
 
 fn weaker_with_distance(material: Material, c_a: Vec3, lights: &[Light], at: SurfacePoint) -> Vec3 {
-    let weaker = |light: &Light| match *light {
-        Light::Point { position, colour } => {
-            Light::Point { position, colour: colour / position.distance_squared(at.position) }
-        }
-        sun @ Light::Directional { .. } => sun,
+    let lit = |light: &Light| {
+        let (to_light, c_l) = match *light {
+            Light::Point { position, colour } => {
+                let way = position - at.position;
+                (way.normalize(), colour / way.length_squared())
+            }
+            Light::Directional { to_light, colour } => (to_light, colour),
+        };
+        let facing = at.n.dot(to_light).max(0.0);
+        let r = 2.0 * facing * at.n - to_light;
+        let highlight = if facing > 0.0 { at.to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
+        c_l * (material.diffuse * facing + highlight)
     };
-    slide(material, c_a, &lights.iter().map(weaker).collect::<Vec<_>>(), at)
+    material.diffuse * c_a + lights.iter().map(lit).sum::<Vec3>()
 }
 
 fn without_the_gate(material: Material, c_a: Vec3, lights: &[Light], at: SurfacePoint) -> Vec3 {

@@ -2,6 +2,7 @@
 
 mod ambient_and_diffuse;
 mod blinn_phong;
+mod drawing;
 mod halfway;
 mod lambert;
 mod light_all;

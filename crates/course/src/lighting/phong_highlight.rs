@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use testkit::by_hand::{coordinate, exponent, light_colour, normal_and_direction, unit_vector_above};
 
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! Phong's highlight (L31, Figs 10.5 and 10.6).
 //!
@@ -57,7 +57,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "max(0, e·r) is not enough: a lamp just below the horizon has its mirror direction just below it too, and an eye just \
             above the surface is close to that: at n·l = −0.17, e·r may be 0.97 (E3). A surface that no light reaches has nothing to \
             reflect. The exponent is not physics, only a knob for the width.",
-        draw: drawing::nothing,
+        draw: super::drawing::phong_highlight,
         source: include_str!("phong_highlight.rs"),
     }
 }
@@ -265,11 +265,13 @@ fn without_the_maximum(c_l: Vec3, p: f32, n: Vec3, to_light: Vec3, to_eye: Vec3)
 }
 
 fn the_first_attempt(c_l: Vec3, _p: f32, n: Vec3, to_light: Vec3, to_eye: Vec3) -> Vec3 {
-    slide(c_l, 1.0, n, to_light, to_eye)
+    let r = 2.0 * n.dot(to_light) * n - to_light;
+    if n.dot(to_light) > 0.0 { c_l * to_eye.dot(r).max(0.0) } else { Vec3::ZERO }
 }
 
 fn multiplied_by_the_exponent(c_l: Vec3, p: f32, n: Vec3, to_light: Vec3, to_eye: Vec3) -> Vec3 {
-    p * slide(c_l, 1.0, n, to_light, to_eye)
+    let r = 2.0 * n.dot(to_light) * n - to_light;
+    if n.dot(to_light) > 0.0 { c_l * p * to_eye.dot(r).max(0.0) } else { Vec3::ZERO }
 }
 
 fn the_halfway_form(c_l: Vec3, p: f32, n: Vec3, to_light: Vec3, to_eye: Vec3) -> Vec3 {
@@ -280,7 +282,8 @@ fn the_halfway_form(c_l: Vec3, p: f32, n: Vec3, to_light: Vec3, to_eye: Vec3) ->
 }
 
 fn dimmed_by_the_cosine(c_l: Vec3, p: f32, n: Vec3, to_light: Vec3, to_eye: Vec3) -> Vec3 {
-    n.dot(to_light).max(0.0) * slide(c_l, p, n, to_light, to_eye)
+    let r = 2.0 * n.dot(to_light) * n - to_light;
+    c_l * n.dot(to_light).max(0.0) * to_eye.dot(r).max(0.0).powf(p)
 }
 
 fn reflected_into_the_surface(c_l: Vec3, p: f32, n: Vec3, to_light: Vec3, to_eye: Vec3) -> Vec3 {

@@ -4,7 +4,7 @@ use glam::{Vec3, vec3};
 use testkit::by_hand::{direction, unit_vector};
 
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! The reflected direction (L31, Fig 10.5).
 //!
@@ -56,7 +56,7 @@ pub(super) fn exercise() -> Exercise {
         misconceptions: misconceptions(),
         explanation: "Reflecting keeps the length, so r needs no square root and no division, though a slide calls it expensive (E5). It \
             is half a turn about n: done twice, it gives l back.",
-        draw: drawing::nothing,
+        draw: super::drawing::reflection,
         source: include_str!("reflection.rs"),
     }
 }
@@ -206,7 +206,7 @@ fn with_a_maximum(n: Vec3, to_light: Vec3) -> Vec3 {
 }
 
 fn brought_to_unit_length(n: Vec3, to_light: Vec3) -> Vec3 {
-    slide(n, to_light).normalize_or_zero()
+    (2.0 * n.dot(to_light) * n - to_light).normalize_or_zero()
 }
 
 fn turned_around(_n: Vec3, to_light: Vec3) -> Vec3 {

@@ -6,7 +6,7 @@ use testkit::by_hand::{coordinate, corners, direction, point3};
 use vocabulary::Triangle;
 
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing, that};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, that};
 
 const STUB: &str = r#"//! The normal of a triangle (L37, step 1 of flat shading).
 //!
@@ -57,7 +57,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "Which side is the front is only an agreement about the order of the corners, and the normal is where it is written \
             down: a mesh with one triangle the wrong way round shows one black face. The length that you divided away is twice the area, \
             and `vertex_normals` can use it.",
-        draw: drawing::nothing,
+        draw: super::drawing::face_normal,
         source: include_str!("face_normal.rs"),
     }
 }
@@ -243,10 +243,11 @@ fn corners_for_edges(triangle: Triangle) -> Option<Vec3> {
 }
 
 fn towards_z(triangle: Triangle) -> Option<Vec3> {
-    slide(triangle).map(|n| if n.z < 0.0 { -n } else { n })
+    let n = (triangle.b - triangle.a).cross(triangle.c - triangle.a).try_normalize()?;
+    Some(if n.z < 0.0 { -n } else { n })
 }
 
 fn lies_in_the_triangle(triangle: Triangle) -> Option<Vec3> {
-    slide(triangle)?;
-    ((triangle.b - triangle.a) + (triangle.c - triangle.a)).try_normalize()
+    let (along, across) = (triangle.b - triangle.a, triangle.c - triangle.a);
+    if along.cross(across) == Vec3::ZERO { None } else { (along + across).try_normalize() }
 }

@@ -7,7 +7,7 @@ use vocabulary::Barycentric;
 
 use super::inputs::around;
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! Gouraud shading (L38).
 //!
@@ -59,7 +59,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "The colour is affine between the corners, so it is never brighter than the brightest of them: a highlight in the \
             middle of a triangle is lost, and as the mesh turns it flickers from corner to corner. Phong shading asks the lighting model in \
             every pixel instead.",
-        draw: drawing::nothing,
+        draw: super::drawing::shaded,
         source: include_str!("gouraud.rs"),
     }
 }
@@ -277,7 +277,8 @@ fn weights_exchanged(
     normals: [Vec3; 3],
     at: Barycentric,
 ) -> Vec3 {
-    slide(c_r, c_a, c_l, to_light, normals, Barycentric { alpha: at.beta, beta: at.alpha, gamma: at.gamma })
+    let [c_0, c_1, c_2] = normals.map(|n| c_r * (c_a + c_l * n.dot(to_light).max(0.0)));
+    at.beta * c_0 + at.alpha * c_1 + at.gamma * c_2
 }
 
 fn without_corner_a(
@@ -288,7 +289,8 @@ fn without_corner_a(
     normals: [Vec3; 3],
     at: Barycentric,
 ) -> Vec3 {
-    slide(c_r, c_a, c_l, to_light, normals, Barycentric { alpha: 0.0, ..at })
+    let [_, c_1, c_2] = normals.map(|n| c_r * (c_a + c_l * n.dot(to_light).max(0.0)));
+    at.beta * c_1 + at.gamma * c_2
 }
 
 fn without_the_maximum(

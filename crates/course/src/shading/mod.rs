@@ -1,5 +1,6 @@
 //! How do a few normals make a smooth surface?
 
+mod drawing;
 mod face_normal;
 mod gouraud;
 mod inputs;

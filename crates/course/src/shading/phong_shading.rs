@@ -7,7 +7,7 @@ use vocabulary::{Barycentric, Material};
 
 use super::inputs::around;
 use crate::exercise::{arguments, signature};
-use crate::{Concept, Example, Exercise, Law, Misconception, Title, close, drawing};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
 const STUB: &str = r#"//! Phong shading (L40).
 //!
@@ -69,7 +69,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "Normals ±45° from the middle meet at length 0.707, and 0.707³² = 1.5e-5: used as it is, the slide's normal puts the \
             highlight out exactly where Phong shading should show it (E7). This is the Phong shading; the formula for c is the Phong lighting \
             model, and each goes with others too (L42).",
-        draw: drawing::nothing,
+        draw: super::drawing::shaded,
         source: include_str!("phong_shading.rs"),
     }
 }
@@ -165,8 +165,8 @@ fn laws() -> Vec<Law> {
             let [n_0, n_1, n_2] = normals.map(|n| n.as_dvec3());
             let sum = f64::from(at.alpha) * n_0 + f64::from(at.beta) * n_1 + f64::from(at.gamma) * n_2;
             let n = sum.normalize().as_vec3();
-            let c: Vec3 = program.ask(arguments![material, c_l, l, e, normals, at])?;
             let same: Vec3 = program.ask(arguments![material, c_l, l, e, [n; 3], CORNER_A])?;
+            let c: Vec3 = program.ask(arguments![material, c_l, l, e, normals, at])?;
             close("c", c, same, TOLERANCE)
         }),
         Law::of(
@@ -327,7 +327,12 @@ fn gouraud_shading(
     normals: [Vec3; 3],
     at: Barycentric,
 ) -> Vec3 {
-    let [c_0, c_1, c_2] = normals.map(|n| slide(material, c_l, to_light, to_eye, [n; 3], at));
+    let [c_0, c_1, c_2] = normals.map(|n| {
+        let facing = n.dot(to_light).max(0.0);
+        let r = 2.0 * facing * n - to_light;
+        let highlight = if facing > 0.0 { to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
+        c_l * (material.diffuse * facing + highlight)
+    });
     at.alpha * c_0 + at.beta * c_1 + at.gamma * c_2
 }
 
@@ -339,8 +344,11 @@ fn flat(
     normals: [Vec3; 3],
     _at: Barycentric,
 ) -> Vec3 {
-    let third = Barycentric { alpha: 1.0 / 3.0, beta: 1.0 / 3.0, gamma: 1.0 / 3.0 };
-    slide(material, c_l, to_light, to_eye, normals, third)
+    let n = (normals[0] + normals[1] + normals[2]).normalize();
+    let facing = n.dot(to_light).max(0.0);
+    let r = 2.0 * facing * n - to_light;
+    let highlight = if facing > 0.0 { to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
+    c_l * (material.diffuse * facing + highlight)
 }
 
 fn weights_exchanged(
@@ -351,8 +359,11 @@ fn weights_exchanged(
     normals: [Vec3; 3],
     at: Barycentric,
 ) -> Vec3 {
-    let exchanged = Barycentric { alpha: at.beta, beta: at.alpha, gamma: at.gamma };
-    slide(material, c_l, to_light, to_eye, normals, exchanged)
+    let n = (at.beta * normals[0] + at.alpha * normals[1] + at.gamma * normals[2]).normalize();
+    let facing = n.dot(to_light).max(0.0);
+    let r = 2.0 * facing * n - to_light;
+    let highlight = if facing > 0.0 { to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
+    c_l * (material.diffuse * facing + highlight)
 }
 
 fn without_the_gate(
@@ -376,5 +387,9 @@ fn highlight_in_the_surfaces_colour(
     normals: [Vec3; 3],
     at: Barycentric,
 ) -> Vec3 {
-    material.diffuse * slide(Material { diffuse: Vec3::ONE, ..material }, c_l, to_light, to_eye, normals, at)
+    let n = (at.alpha * normals[0] + at.beta * normals[1] + at.gamma * normals[2]).normalize();
+    let facing = n.dot(to_light).max(0.0);
+    let r = 2.0 * facing * n - to_light;
+    let highlight = if facing > 0.0 { to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
+    material.diffuse * c_l * (facing + highlight)
 }

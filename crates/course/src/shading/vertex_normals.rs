@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use testkit::by_hand::{between, coordinate, point3};
 
 use crate::exercise::{arguments, signature};
-use crate::{Asker, Concept, Example, Exercise, Law, Misconception, Stop, Title, close, drawing, that};
+use crate::{Asker, Concept, Example, Exercise, Law, Misconception, Stop, Title, close, that};
 
 const STUB: &str = r#"//! Vertex normals (L39, Fig 10.4).
 //!
@@ -56,7 +56,7 @@ pub(super) fn exercise() -> Exercise {
         explanation: "Adding cross products as they are counts each triangle by its area, and triangles without any take care of themselves. \
             Weighted by the angle at the vertex, the normal does not even depend on how a flat polygon was cut into triangles. A box \
             should keep its edges: then vertices are doubled, one for each side.",
-        draw: drawing::nothing,
+        draw: super::drawing::vertex_normals,
         source: include_str!("vertex_normals.rs"),
     }
 }
@@ -332,7 +332,12 @@ fn the_last_triangle(positions: &[Vec3], triangles: &[[usize; 3]]) -> Vec<Vec3> 
 }
 
 fn nan_for_no_triangle(positions: &[Vec3], triangles: &[[usize; 3]]) -> Vec<Vec3> {
-    sum_not_normalized(positions, triangles).into_iter().map(|sum| sum / sum.length()).collect()
+    let mut sums = vec![Vec3::ZERO; positions.len()];
+    for &[i, j, k] in triangles {
+        let normal = (positions[j] - positions[i]).cross(positions[k] - positions[i]);
+        [i, j, k].into_iter().for_each(|corner| sums[corner] += normal);
+    }
+    sums.into_iter().map(|sum| sum / sum.length()).collect()
 }
 
 fn nan_for_no_area(positions: &[Vec3], triangles: &[[usize; 3]]) -> Vec<Vec3> {
@@ -349,7 +354,12 @@ fn as_on_a_ball(positions: &[Vec3], _triangles: &[[usize; 3]]) -> Vec<Vec3> {
 }
 
 fn on_the_back(positions: &[Vec3], triangles: &[[usize; 3]]) -> Vec<Vec3> {
-    slide(positions, triangles).into_iter().map(|n| -n).collect()
+    let mut sums = vec![Vec3::ZERO; positions.len()];
+    for &[i, j, k] in triangles {
+        let normal = (positions[k] - positions[i]).cross(positions[j] - positions[i]);
+        [i, j, k].into_iter().for_each(|corner| sums[corner] += normal);
+    }
+    sums.into_iter().map(Vec3::normalize_or_zero).collect()
 }
 
 fn to_its_first_corner(positions: &[Vec3], triangles: &[[usize; 3]]) -> Vec<Vec3> {
@@ -361,6 +371,10 @@ fn to_its_first_corner(positions: &[Vec3], triangles: &[[usize; 3]]) -> Vec<Vec3
 }
 
 fn one_for_all(positions: &[Vec3], triangles: &[[usize; 3]]) -> Vec<Vec3> {
-    let sum: Vec3 = sum_not_normalized(positions, triangles).into_iter().sum();
-    vec![sum.normalize_or_zero(); positions.len()]
+    let mut sums = vec![Vec3::ZERO; positions.len()];
+    for &[i, j, k] in triangles {
+        let normal = (positions[j] - positions[i]).cross(positions[k] - positions[i]);
+        [i, j, k].into_iter().for_each(|corner| sums[corner] += normal);
+    }
+    vec![sums.iter().sum::<Vec3>().normalize_or_zero(); positions.len()]
 }
