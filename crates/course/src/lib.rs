@@ -12,7 +12,6 @@
 mod answerer;
 mod concept;
 pub mod diagnosis;
-mod drawing;
 mod exercise;
 mod fingerprint;
 mod law;

@@ -95,7 +95,8 @@ impl Workbench {
         let memory = self.scratch.join("kit.json");
         // A debug build is one for tests. What is built for tests of the whole workspace has other features than a build of this package alone, which
         // would build everything a second time; the worker alone is soon built.
-        let build = Build::of(if cfg!(debug_assertions) { "worker" } else { env!("CARGO_PKG_NAME") });
+        let package = if cfg!(debug_assertions) { "worker" } else { env!("CARGO_PKG_NAME") };
+        let build = Build { bare: cfg!(not(feature = "pictures")), ..Build::of(package) };
         let kit = Kit::remembered(&self.root, build, &memory).map_err(|e| {
             Failure::new(e.to_string(), "see that `cargo build --release --package lab` succeeds")
         })?;

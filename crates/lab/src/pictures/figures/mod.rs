@@ -10,9 +10,10 @@ use ::figures::page::{self, Entry, Trial};
 use ::figures::{Figure, ParameterError, Values};
 use serde_json::{Value, json};
 
-use crate::cli::{FiguresArgs, Outcome};
+use crate::cli::Outcome;
 use crate::failure::Failure;
-use crate::progress::Progress;
+use crate::pictures::args::FiguresArgs;
+use crate::pictures::progress::Progress;
 use crate::speech::say;
 use album::{Album, Taken, fingerprint};
 
@@ -194,5 +195,5 @@ fn unexpected(trials: &[Trial]) -> Result<Outcome, Failure> {
         return Ok(Outcome::Done);
     }
     say(&format!("not as recorded: {}", names.join(", ")))?;
-    Ok(Outcome::Unexpected)
+    Ok(Outcome::Differs)
 }

@@ -3,9 +3,10 @@
 use ::figures::claims::{Claim, Report, all, find};
 use serde_json::{Value, json};
 
-use crate::cli::{ClaimsArgs, Outcome};
+use super::args::ClaimsArgs;
+use super::progress::Progress;
+use crate::cli::Outcome;
 use crate::failure::Failure;
-use crate::progress::Progress;
 use crate::speech::say;
 
 /// Runs the claims and prints what came out.
@@ -31,7 +32,7 @@ pub(crate) fn run(asked: &ClaimsArgs) -> Result<Outcome, Failure> {
         say(&summary(&reports))?;
     }
     let all_expected = reports.iter().all(Report::is_as_expected);
-    Ok(if all_expected { Outcome::Done } else { Outcome::Unexpected })
+    Ok(if all_expected { Outcome::Done } else { Outcome::Differs })
 }
 
 /// The claims that are meant; all if none is named.

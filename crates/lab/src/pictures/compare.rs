@@ -7,10 +7,11 @@ use std::path::Path;
 
 use canvas::{Difference, Image, codec, difference, side_by_side};
 
-use crate::cli::{CompareArgs, Outcome};
+use super::args::CompareArgs;
+use super::output::Target;
+use super::render::{GAP, GAP_COLOR};
+use crate::cli::Outcome;
 use crate::failure::Failure;
-use crate::output::Target;
-use crate::render::{GAP, GAP_COLOR};
 use crate::speech::{say, warn};
 
 /// Added to a tolerance: decoding a step of a file and encoding it again costs a few roundings of 6e-8, so that one step of

@@ -9,10 +9,11 @@ use std::time::Duration;
 use canvas::{Image, Rgb, codec, side_by_side};
 use scene::{Builtin, Loaded, Named, Prepared, RenderError, Rendered, Renderer, Settings, builtin};
 
-use crate::cli::{Outcome, RenderArgs};
+use super::args::RenderArgs;
+use super::output::Target;
+use super::progress::Progress;
+use crate::cli::Outcome;
 use crate::failure::Failure;
-use crate::output::Target;
-use crate::progress::Progress;
 use crate::speech::{say, warn};
 
 /// The order from left to right, if nobody asks for one renderer: as the lecture introduces them.

@@ -2,7 +2,8 @@
 
 use scene::builtin;
 
-use crate::cli::{Outcome, ScenesArgs};
+use super::args::ScenesArgs;
+use crate::cli::Outcome;
 use crate::failure::Failure;
 use crate::speech::say;
 

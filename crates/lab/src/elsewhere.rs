@@ -1,0 +1,73 @@
+//! What if this program was built without the commands that draw? Then cargo builds them, the first time that one is asked for.
+//!
+//! The renderers, image formats and figures take longer to build than everything that an exercise needs, so `cargo lab` leaves them out
+//! (`.cargo/config.toml`): who begins with an exercise waits for half as long.
+
+use std::ffi::OsString;
+use std::path::Path;
+use std::process::Command as Process;
+
+use clap::{Args, Subcommand};
+
+use crate::cli::Outcome;
+use crate::failure::Failure;
+
+/// The commands that draw; what follows them is for the program that can.
+#[derive(Debug, Subcommand)]
+#[command(disable_help_flag = true)]
+pub(crate) enum Command {
+    /// Draw a scene or a mesh and write the picture to a file
+    #[command(disable_help_flag = true)]
+    Render(Words),
+    /// Say whether two pictures are the same, and where they differ
+    #[command(disable_help_flag = true)]
+    Compare(Words),
+    /// Draw the lecture's figures into a folder, with a page that shows them
+    #[command(disable_help_flag = true)]
+    Figures(Words),
+    /// Put the lecture's claims on trial
+    #[command(disable_help_flag = true)]
+    Claims(Words),
+    /// List the built-in scenes, or print one as a scene file
+    #[command(disable_help_flag = true)]
+    Scenes(Words),
+}
+
+/// Whatever was typed.
+#[derive(Args, Debug)]
+pub(crate) struct Words {
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true, hide = true)]
+    _words: Vec<OsString>,
+}
+
+/// Hands the whole command line to the program that draws.
+///
+/// # Errors
+/// [`Failure`] if cargo does not start.
+pub(crate) fn run(_command: &Command) -> Result<Outcome, Failure> {
+    let manifest = Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml");
+    let mut cargo = Process::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    cargo
+        .args(["run", "--quiet", "--release", "--package", env!("CARGO_PKG_NAME"), "--manifest-path"])
+        .arg(manifest)
+        .arg("--")
+        .args(std::env::args_os().skip(1));
+    instead(&mut cargo).map_err(|e| {
+        let reason = crate::failure::reason(&e);
+        Failure::new(format!("cargo does not start: {reason}"), "see that `cargo --version` works")
+    })
+}
+
+/// Becomes that program: its exit code, its signals are this one's.
+#[cfg(unix)]
+fn instead(cargo: &mut Process) -> std::io::Result<Outcome> {
+    use std::os::unix::process::CommandExt;
+    Err(cargo.exec())
+}
+
+/// Runs that program and ends as it ends.
+#[cfg(not(unix))]
+fn instead(cargo: &mut Process) -> std::io::Result<Outcome> {
+    let status = cargo.status()?;
+    std::process::exit(status.code().unwrap_or(2))
+}
