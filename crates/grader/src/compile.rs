@@ -59,6 +59,8 @@ impl Compiler {
                 "-C",
                 "strip=debuginfo",
             ])
+            // One piece: there is little to share among threads, and less to link.
+            .args(["-C", "codegen-units=1"])
             .args(["-F", "unsafe_code", "-A", "warnings"])
             .args(["--color", if self.colour { "always" } else { "never" }])
             .arg(remapped(&self.root))

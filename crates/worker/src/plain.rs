@@ -11,7 +11,35 @@ pub trait Plain: Sized {
 
     /// From a value; `None` if the value is of another type.
     fn from_value(value: Value) -> Option<Self>;
+
+    /// The value of a list.
+    fn list_into_value(list: Vec<Self>) -> Value {
+        Value::List(list.into_iter().map(Self::into_value).collect())
+    }
+
+    /// A list from its value.
+    fn list_from_value(value: Value) -> Option<Vec<Self>> {
+        let Value::List(values) = value else { return None };
+        values.into_iter().map(Self::from_value).collect()
+    }
 }
+
+/// The two about lists once more, for a type that lists are made of: what is written out in its own implementation is compiled with this
+/// library, what comes from the trait's with each student's file.
+macro_rules! lists {
+    () => {
+        fn list_into_value(list: Vec<Self>) -> $crate::Value {
+            $crate::Value::List(list.into_iter().map(<Self as $crate::Plain>::into_value).collect())
+        }
+
+        fn list_from_value(value: $crate::Value) -> Option<Vec<Self>> {
+            let $crate::Value::List(values) = value else { return None };
+            values.into_iter().map(<Self as $crate::Plain>::from_value).collect()
+        }
+    };
+}
+
+pub(crate) use lists;
 
 impl Plain for Value {
     fn into_value(self) -> Value {
@@ -51,6 +79,8 @@ impl Plain for f32 {
     fn from_value(value: Value) -> Option<Self> {
         if let Value::Number(number) = value { Some(number) } else { None }
     }
+
+    lists!();
 }
 
 macro_rules! whole {
@@ -64,6 +94,8 @@ macro_rules! whole {
             fn from_value(value: Value) -> Option<Self> {
                 if let Value::Whole(whole) = value { whole.try_into().ok() } else { None }
             }
+
+            lists!();
         }
     )* };
 }
@@ -81,6 +113,8 @@ macro_rules! vectors {
                 let Value::Vector(numbers) = value else { return None };
                 Some(Self::from_array(numbers.try_into().ok()?))
             }
+
+            lists!();
         }
     )* };
 }
@@ -116,12 +150,11 @@ impl<T: Plain> Plain for Option<T> {
 
 impl<T: Plain> Plain for Vec<T> {
     fn into_value(self) -> Value {
-        Value::List(self.into_iter().map(T::into_value).collect())
+        T::list_into_value(self)
     }
 
     fn from_value(value: Value) -> Option<Self> {
-        let Value::List(values) = value else { return None };
-        values.into_iter().map(T::from_value).collect()
+        T::list_from_value(value)
     }
 }
 

@@ -80,14 +80,10 @@ fn shown(judgement: &Judgement, law: &Tried, counterexample: &Counterexample) ->
         lines.push(match &broken.values {
             Some((given, wanted)) => {
                 // Under each other, so that the eye can compare.
-                let name = broken.what.as_str();
-                format!(
-                    "    {name} is {}\n    {:>width$} {}",
-                    bad(&given.to_string()),
-                    "should be",
-                    good(&wanted.to_string()),
-                    width = name.chars().count() + 3
-                )
+                let is = format!("{} is", broken.what);
+                let width = is.chars().count().max("should be".len());
+                let (given, wanted) = (bad(&given.to_string()), good(&wanted.to_string()));
+                format!("    {is:>width$} {given}\n    {:>width$} {wanted}", "should be")
             }
             None => wrapped(&broken.what, "    "),
         });

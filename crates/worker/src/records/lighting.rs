@@ -29,6 +29,8 @@ impl Plain for Light {
             _ => None,
         }
     }
+
+    crate::plain::lists!();
 }
 
 impl<'a> Parameter<'a> for Light {

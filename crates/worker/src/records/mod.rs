@@ -23,6 +23,8 @@ macro_rules! record {
                 let read = Self { $($field: $crate::Plain::from_value(fields.next()?)?),* };
                 (name == stringify!($name) && fields.next().is_none()).then_some(read)
             }
+
+            $crate::plain::lists!();
         }
 
         impl<'a> $crate::Parameter<'a> for $name {
