@@ -18,4 +18,6 @@ pub(crate) mod watch;
 mod which;
 mod workbench;
 
+// Only signals ask for it.
+#[cfg(unix)]
 pub(crate) use keys::restore as restore_terminal;
