@@ -62,6 +62,9 @@ fn colours(questions: &[Option<Vec<Value>>], calls: &Calls<'_>) -> Colours {
     questions.iter().map(colour).collect()
 }
 
+/// The ground of a panel, sRGB.
+const GROUND: [u8; 3] = [128, 132, 140];
+
 /// What colours are multiplied by, so that the brightest is white; where yours are absurdly bright, the right ones stay visible.
 fn exposure(yours: &Colours, right: &Colours) -> f32 {
     let brightest = |colours: &Colours| colours.iter().flatten().map(|c| c.max_element()).fold(0.0, f32::max);
@@ -96,6 +99,8 @@ fn svg(seen: &Seen<'_>, subject: &Subject<'_>, panels: &[Colours; 3], exposure: 
 }
 
 fn paint(sheet: &mut Sheet, corner: Vec2, colours: &Colours, exposure: f32) {
+    // On a grey ground black and white are both seen, whatever the colour of the page.
+    sheet.tile(corner, PANEL, GROUND);
     let side = PANEL / SAMPLES as f32;
     for (k, colour) in colours.iter().enumerate() {
         if let Some(colour) = colour {
