@@ -90,7 +90,14 @@ pub(crate) fn next(rows: &[Row]) -> Option<&Row> {
 }
 
 /// The board and what to do next: at most 24 lines of 80 columns.
-pub(crate) fn text(bench: &Workbench, rows: &[Row]) -> String {
+fn text(bench: &Workbench, rows: &[Row]) -> String {
+    let mut lines = vec![table(rows)];
+    lines.extend(next_lines(bench, next(rows)));
+    lines.join("\n")
+}
+
+/// The board alone, which leaves room for other lines.
+pub(crate) fn table(rows: &[Row]) -> String {
     let passed = rows.iter().filter(|row| row.passed()).count();
     let points: u32 = rows.iter().map(|row| row.points).sum();
     let of: u32 = rows.iter().map(|row| row.exercise.points()).sum();
@@ -104,7 +111,6 @@ pub(crate) fn text(bench: &Workbench, rows: &[Row]) -> String {
             lines.push(format!("{label}{}", pair.join("  ")).trim_end().to_owned());
         }
     }
-    lines.extend(next_lines(bench, next(rows)));
     lines.join("\n")
 }
 

@@ -178,7 +178,7 @@ impl Watch {
             'l' => {
                 let rows = board::rows(&self.bench)?;
                 self.clear()?;
-                self.show(&board::text(&self.bench, &rows))?;
+                self.show(&board::table(&rows))?;
                 self.footer()
             }
             'r' => self.judge(),
