@@ -82,7 +82,8 @@ impl Compiler {
         let note = parts.first().filter(|_| at_our_side).map(|Part { exercise, .. }| {
             format!(
                 "The exercise asks for `pub fn {}{}`: name, parameters and result must be these.",
-                exercise.name, exercise.signature.text
+                exercise.name,
+                exercise.signature.text.replace(", )", ")")
             )
         });
         Err(NotCompiled::Refused { message, note })

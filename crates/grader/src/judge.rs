@@ -17,7 +17,7 @@ use crate::process::{Limits, Printed, Process};
 use crate::token::Token;
 
 /// A file over this size is not the solution of an exercise, in bytes.
-const LONGEST_FILE: u64 = 1 << 20;
+pub const LONGEST_FILE: u64 = 1 << 20;
 
 /// Judges students' files.
 #[derive(Clone, Debug)]

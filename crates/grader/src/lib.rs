@@ -17,7 +17,7 @@ mod process;
 mod token;
 
 pub use compile::Compiler;
-pub use judge::Judge;
+pub use judge::{Judge, LONGEST_FILE};
 pub use judgement::{Judgement, LooksLike, Outcome, Unreadable, gave};
 pub use kit::{Build, Kit, KitError};
 pub use process::{Limits, Output, Printed};

@@ -28,14 +28,16 @@ const LAST_WORDS: Duration = Duration::from_millis(200);
 pub struct Limits {
     /// For one call.
     pub time: Duration,
+    /// For all calls of one exercise together.
+    pub whole: Duration,
     /// In bytes, of address space.
     pub memory: u64,
 }
 
 impl Default for Limits {
-    /// Two seconds a call, one GiB: far more than any exercise needs, even on a busy machine.
+    /// Two seconds a call, twenty for all, one GiB: far more than any exercise needs, even on a busy machine.
     fn default() -> Self {
-        Self { time: Duration::from_secs(2), memory: 1 << 30 }
+        Self { time: Duration::from_secs(2), whole: Duration::from_secs(20), memory: 1 << 30 }
     }
 }
 
@@ -64,6 +66,7 @@ pub(crate) struct Process {
     /// Which of the worker's functions is asked.
     function: u32,
     limits: Limits,
+    begun: Instant,
     running: Option<Running>,
     printed: [Arc<Mutex<Kept>>; 2],
 }
@@ -97,7 +100,7 @@ impl Kept {
 
 impl Process {
     pub(crate) fn new(worker: PathBuf, function: u32, limits: Limits) -> Self {
-        Self { worker, function, limits, running: None, printed: Default::default() }
+        Self { worker, function, limits, begun: Instant::now(), running: None, printed: Default::default() }
     }
 
     /// Ends the worker and gives what it printed.
@@ -176,7 +179,9 @@ impl Process {
             .is_some_and(|e| matches!(e.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut));
         if stood_still {
             end(&mut running);
-            return Loss::TimedOut(u64::try_from(self.limits.time.as_millis()).unwrap_or(u64::MAX));
+            let whole = self.begun.elapsed() > self.limits.whole;
+            let limit = if whole { self.limits.whole } else { self.limits.time };
+            return Loss::TimedOut(u64::try_from(limit.as_millis()).unwrap_or(u64::MAX));
         }
         // The channel is closed: the process is ending, or the student's code closed what is not its own.
         let patience = Instant::now() + self.limits.time;
@@ -213,7 +218,7 @@ impl Answerer for Process {
         let mut replies = Vec::with_capacity(questions.len());
         let mut asking =
             running.channel.try_clone().map_err(|e| Fault(format!("no channel to the worker: {e}")))?;
-        let function = self.function;
+        let (function, begun, whole) = (self.function, self.begun, self.limits.whole);
         let ended: Result<(), Option<io::Error>> = thread::scope(|scope| {
             // Written by a thread of its own: with both ends full, each would wait for the other.
             scope.spawn(move || {
@@ -226,6 +231,9 @@ impl Answerer for Process {
                 }
             });
             for _ in questions {
+                if begun.elapsed() > whole {
+                    return stop(&running, Some(io::ErrorKind::TimedOut.into()));
+                }
                 match wire::receive::<Answer>(&mut running.answers) {
                     Ok(Some(Answer::Value(value))) => replies.push(Ok(Reply::Value(value))),
                     Ok(Some(Answer::Panicked(panic))) => replies.push(Ok(Reply::Panicked(panic))),

@@ -52,6 +52,14 @@ fn an_endless_loop_is_timed_out() {
 }
 
 #[test]
+fn many_slow_answers_are_timed_out_as_a_whole() {
+    let body = "std::thread::sleep(std::time::Duration::from_millis(100));\n    Mat3::IDENTITY";
+    let mut bench = Bench::new();
+    bench.limit_whole(std::time::Duration::from_secs(1));
+    assert_eq!(bench.judge(&in_function(body)).outcome, Outcome::TimedOut(1000));
+}
+
+#[test]
 fn endless_recursion_fills_the_stack() {
     let body = "fn deep(n: u64) -> u64 { if n == u64::MAX { 0 } else { 1 + deep(n + 1) } }\n    Mat3::IDENTITY * deep(0) as f32";
     assert_eq!(of_body(body), Outcome::StackOverflow);

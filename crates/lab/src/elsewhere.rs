@@ -14,7 +14,6 @@ use crate::failure::Failure;
 
 /// The commands that draw; what follows them is for the program that can.
 #[derive(Debug, Subcommand)]
-#[command(disable_help_flag = true)]
 pub(crate) enum Command {
     /// Draw a scene or a mesh and write the picture to a file
     #[command(disable_help_flag = true)]

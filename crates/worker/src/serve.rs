@@ -1,6 +1,6 @@
 //! What does a worker do all its life? Read a question, call the function, send the answer.
 
-use std::io::{BufReader, Write};
+use std::io::{BufReader, ErrorKind, Write};
 use std::panic::{self, AssertUnwindSafe};
 use std::process::ExitCode;
 use std::sync::{Mutex, PoisonError};
@@ -20,6 +20,10 @@ static PANIC: Mutex<Option<(Panic, ThreadId)>> = Mutex::new(None);
 pub fn serve(functions: &[Function]) -> ExitCode {
     match answer_all(functions) {
         Ok(()) => ExitCode::SUCCESS,
+        // Whoever asked has heard enough.
+        Err(error) if matches!(error.kind(), ErrorKind::BrokenPipe | ErrorKind::ConnectionReset) => {
+            ExitCode::SUCCESS
+        }
         Err(error) => {
             // Standard error belongs to the student's code; but without a channel nothing of it runs.
             let _ = writeln!(std::io::stderr(), "worker: {error}");

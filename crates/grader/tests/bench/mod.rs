@@ -48,6 +48,11 @@ impl Bench {
         Self { folder, judge }
     }
 
+    /// How long all calls together may take.
+    pub(crate) fn limit_whole(&mut self, whole: Duration) {
+        self.judge.limits.whole = whole;
+    }
+
     pub(crate) fn folder(&self) -> &Path {
         self.folder.path()
     }

@@ -124,14 +124,14 @@ fn report(
         return say(&format!("{:#}", json(bench, judgements)));
     }
     let single = judgements.len() == 1;
-    for (Meant { exercise, .. }, judgement) in meant.iter().zip(judgements) {
+    for (Meant { exercise, file }, judgement) in meant.iter().zip(judgements) {
         let picture = bench.draw(judgement);
         if picture.is_none() && judgement.picture.is_some() {
             warn("the picture of the counterexample cannot be written");
         }
         let picture = picture.map(|path| bench.shown(&path));
         if single || !(judgement.passed() || judgement.outcome == grader::Outcome::NotStarted) {
-            say(&verdict::text(judgement, exercise, picture.as_deref()))?;
+            say(&verdict::text(judgement, exercise, picture.as_deref(), &bench.shown(file)))?;
             if !single {
                 say("")?;
             }

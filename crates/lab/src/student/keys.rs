@@ -45,11 +45,12 @@ pub(crate) fn listen(to: &Sender<Happening>) -> Option<Keys> {
     thread::spawn(move || {
         while let Ok(event) = read() {
             let Event::Key(key) = event else { continue };
-            let interrupts = key.modifiers.contains(KeyModifiers::CONTROL)
-                && matches!(key.code, KeyCode::Char('c' | 'd' | 'z'));
+            let interrupts =
+                key.modifiers.contains(KeyModifiers::CONTROL) && matches!(key.code, KeyCode::Char('c' | 'd'));
             let happening = match key.code {
                 _ if key.kind == KeyEventKind::Release => continue,
                 _ if interrupts => Happening::Key('q'),
+                _ if key.modifiers.contains(KeyModifiers::CONTROL) => continue,
                 KeyCode::Char(letter) => Happening::Key(letter.to_ascii_lowercase()),
                 KeyCode::Esc => Happening::Key('q'),
                 KeyCode::Enter => Happening::Key('r'),

@@ -8,6 +8,7 @@ use course::{Exercise, fingerprint};
 use grader::{Judgement, version};
 use serde_json::{Value as Json, json};
 
+use super::workbench::bytes_of;
 use crate::unfinished::Unfinished;
 
 /// What is remembered of the exercises.
@@ -115,7 +116,7 @@ impl Memory {
 }
 
 fn of_file(file: &Path) -> Option<u64> {
-    fs::read(file).ok().map(fingerprint)
+    bytes_of(file).map(fingerprint)
 }
 
 #[cfg(test)]

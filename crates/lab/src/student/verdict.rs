@@ -9,15 +9,21 @@ use super::ink::{bad, faint, good, strong, typed};
 /// Lines of a compiler's message and of what was printed are shown as they are; of the latter so many.
 const MOST_LINES_PRINTED: usize = 8;
 
+/// What helps where NaN or infinity came back, whichever law noticed it.
+const STRANGE: &str = "NaN and inf are no numbers to go on with: is something divided by 0, a zero vector brought to length 1, or the root of a \
+    negative number taken?";
+
 /// A line is at most so long where we break it ourselves.
 const WIDTH: usize = 78;
 
 /// The judgement as text, many lines.
-pub(crate) fn text(judgement: &Judgement, exercise: &Exercise, picture: Option<&str>) -> String {
+///
+/// `file` is what was judged, as the user would type it.
+pub(crate) fn text(judgement: &Judgement, exercise: &Exercise, picture: Option<&str>, file: &str) -> String {
     let mut lines = vec![headline(judgement)];
     if let Outcome::DoesNotCompile { message, note } = &judgement.outcome {
-        lines.push(message.trim_end().to_owned());
         lines.extend(note.iter().map(|note| wrapped(note, "  ")));
+        lines.push(message.trim_end().to_owned());
     } else if let Some(sentence) = judgement.outcome.sentence() {
         lines.push(wrapped(&sentence, "  "));
     }
@@ -43,7 +49,7 @@ pub(crate) fn text(judgement: &Judgement, exercise: &Exercise, picture: Option<&
         lines.push(text.trim_end().to_owned());
     }
     lines.extend(picture.map(|path| format!("  Drawn: {path}")));
-    lines.extend(ending(judgement, exercise));
+    lines.extend(ending(judgement, exercise, file));
     lines.join("\n")
 }
 
@@ -71,7 +77,10 @@ fn shown(judgement: &Judgement, law: &Tried, counterexample: &Counterexample) ->
     let mut lines = vec![String::new()];
     match counterexample.example {
         Some(caption) => lines.push(format!("  In the worked example “{caption}”:")),
-        None => lines.push(format!("  The smallest input found that breaks {}:", strong(law.name))),
+        None if counterexample.broken.is_some() => {
+            lines.push(format!("  The smallest input found that breaks {}:", strong(law.name)));
+        }
+        None => lines.push("  The call:".to_owned()),
     }
     for (arguments, reply) in &counterexample.calls {
         lines.push(call(judgement, arguments, reply));
@@ -88,7 +97,14 @@ fn shown(judgement: &Judgement, law: &Tried, counterexample: &Counterexample) ->
             None => wrapped(&broken.what, "    "),
         });
     }
-    lines.push(wrapped(counterexample.help, "  "));
+    // A law's help is for values, not for calls that gave none.
+    if counterexample.broken.is_some() {
+        let strange = counterexample
+            .calls
+            .iter()
+            .any(|(_, reply)| matches!(reply, Reply::Value(value) if value.has_strange_numbers()));
+        lines.push(wrapped(if strange { STRANGE } else { counterexample.help }, "  "));
+    }
     lines
 }
 
@@ -117,7 +133,7 @@ fn plain(line: &str) -> String {
     line.chars().filter(|c| !c.is_control() || *c == '\t').take(160).collect()
 }
 
-fn ending(judgement: &Judgement, exercise: &Exercise) -> Vec<String> {
+fn ending(judgement: &Judgement, exercise: &Exercise, file: &str) -> Vec<String> {
     let mut lines = vec![String::new()];
     if judgement.passed() {
         lines.push(wrapped(exercise.explanation, "  "));
@@ -129,7 +145,16 @@ fn ending(judgement: &Judgement, exercise: &Exercise) -> Vec<String> {
         lines.push(format!("  A hint: {}", typed(&format!("cargo lab hint {}", exercise.name))));
     }
     if !judgement.laws.is_empty() && !judgement.passed() {
-        lines.push(faint(&format!("  The same again: cargo lab check --token {}", judgement.token)));
+        // A file that lies elsewhere is named beside the token.
+        let elsewhere = if file.ends_with(&format!("exercises/{}", judgement.path)) {
+            String::new()
+        } else {
+            format!(" {file}")
+        };
+        lines.push(faint(&format!(
+            "  The same again: cargo lab check --token {}{elsewhere}",
+            judgement.token
+        )));
     }
     lines
 }

@@ -9,7 +9,7 @@ use course::Exercise;
 use grader::{Judge, Judgement};
 
 use super::ink::{faint, strong, typed};
-use super::workbench::Workbench;
+use super::workbench::{Workbench, bytes_of};
 use super::{board, changes, hint, keys, verdict, which};
 use crate::cli::{Outcome, WatchArgs};
 use crate::failure::Failure;
@@ -17,6 +17,9 @@ use crate::speech::say;
 
 /// An editor may write a file in several steps; this long after one, the next belongs to it.
 const ONE_SAVE: Duration = Duration::from_millis(12);
+
+/// So many lines stand beneath a verdict.
+const FOOTER: usize = 4;
 
 /// What a watcher waits for.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -110,7 +113,7 @@ impl Watch {
             let other = exercise.name != self.exercise.name;
             self.exercise = exercise;
             // A touch without a change needs no verdict.
-            if other || std::fs::read(self.file()).ok() != self.last {
+            if other || bytes_of(&self.file()) != self.last {
                 self.judge()?;
             }
         }
@@ -131,7 +134,8 @@ impl Watch {
 
     fn judge(&mut self) -> Result<(), Failure> {
         let file = self.file();
-        self.last = std::fs::read(&file).ok();
+        self.last = bytes_of(&file);
+        self.busy()?;
         let judgement = self.bench.judge_file(&self.judge, &self.exercise, &file);
         self.picture = self.bench.draw(&judgement);
         self.verdict(&judgement)?;
@@ -139,6 +143,11 @@ impl Watch {
         memory.note(&self.exercise, &file, &judgement);
         memory.write();
         Ok(())
+    }
+
+    /// Says that the verdict on the screen is not the one of the file any more.
+    fn busy(&self) -> Result<(), Failure> {
+        if self.json || !self.keys { Ok(()) } else { self.show(&faint("judging …")) }
     }
 
     fn verdict(&self, judgement: &Judgement) -> Result<(), Failure> {
@@ -149,7 +158,24 @@ impl Watch {
         }
         let picture = self.picture.as_ref().map(|path| self.bench.shown(path));
         self.clear()?;
-        self.show(&verdict::text(judgement, &self.exercise, picture.as_deref()))?;
+        let file = self.bench.shown(&self.file());
+        let mut text = verdict::text(judgement, &self.exercise, picture.as_deref(), &file);
+        let rows = if self.keys {
+            crossterm::terminal::size().map_or(24, |(_, rows)| usize::from(rows))
+        } else {
+            usize::MAX
+        };
+        let fits = |text: &str| text.lines().count() + FOOTER <= rows;
+        if !fits(&text) {
+            // The picture is in a file, too.
+            let without = Judgement { picture: None, ..judgement.clone() };
+            text = verdict::text(&without, &self.exercise, picture.as_deref(), &file);
+        }
+        self.show(&text)?;
+        if !fits(&text) {
+            // It has scrolled away.
+            self.show(&verdict::headline(judgement))?;
+        }
         if judgement.passed() {
             self.show(&format!("  {}", strong("n goes on to the next exercise.")))?;
         }
@@ -193,7 +219,10 @@ impl Watch {
         };
         match open::that_detached(picture) {
             Ok(()) => self.show(&format!("Opened {}", self.bench.shown(picture))),
-            Err(e) => self.show(&format!("Nothing here opens {}: {e}", self.bench.shown(picture))),
+            Err(_) => self.show(&format!(
+                "Nothing here opens pictures by itself: look at {}",
+                self.bench.shown(picture)
+            )),
         }
     }
 
@@ -211,7 +240,7 @@ impl Watch {
     fn clear(&self) -> Result<(), Failure> {
         if std::io::stdout().is_terminal() && self.keys {
             // Whole screen, and up to the corner.
-            return say("\x1b[2J\x1b[3J\x1b[H\r");
+            return say("\x1b[2J\x1b[H\r");
         }
         Ok(())
     }

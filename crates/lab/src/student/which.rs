@@ -95,6 +95,12 @@ fn of_word(
         }
     }
     let path = Path::new(word);
+    // `exercises/zbuffer/`, as a shell completes it.
+    let folder = path.file_name().and_then(|name| name.to_str()).filter(|_| path.is_dir());
+    if let Some(folder) = folder.filter(|folder| Concept::ALL.iter().any(|concept| concept.name() == *folder))
+    {
+        return of_word(bench, exercises, folder, Prefer::Concept);
+    }
     if word.ends_with(".rs") || path.components().count() > 1 {
         return of_path(bench, exercises, path).map(|found| vec![found]);
     }
@@ -113,14 +119,17 @@ fn of_path(bench: &Workbench, exercises: &[Exercise], path: &Path) -> Result<(us
     // `transforms/lambert.rs` may also be meant from the folder of exercises.
     let in_exercises = bench.exercises.join(path);
     let in_root = bench.root.join(path);
-    let found = [path.to_owned(), in_root, in_exercises].into_iter().find(|candidate| candidate.is_file());
-    let file = found.unwrap_or_else(|| path.to_owned());
+    let candidates = [path.to_owned(), in_root, in_exercises];
+    let found = candidates.into_iter().find(|candidate| candidate.symlink_metadata().is_ok());
+    // A bare name means the student's own file, wherever one stands.
+    let alone = path.components().count() == 1;
+    let file = found.unwrap_or_else(|| if alone { bench.file(&exercises[at]) } else { path.to_owned() });
     Ok((at, std::path::absolute(&file).unwrap_or(file)))
 }
 
 fn unknown(word: &str) -> Failure {
     Failure::new(
-        format!("there is no exercise or concept called {word}"),
+        format!("there is no exercise or concept called `{word}`"),
         format!("did you mean {}? `cargo lab` lists all of them", nearest(word)),
     )
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use course::Exercise;
-use grader::{Build, Compiler, Judge, Judgement, Kit, Limits};
+use grader::{Build, Compiler, Judge, Judgement, Kit, LONGEST_FILE, Limits};
 
 use super::ink;
 use super::memory::Memory;
@@ -100,7 +100,9 @@ impl Workbench {
         let kit = Kit::remembered(&self.root, build, &memory).map_err(|e| {
             Failure::new(e.to_string(), "see that `cargo build --release --package lab` succeeds")
         })?;
-        let limits = Limits { time: limit.unwrap_or(Limits::default().time), ..Limits::default() };
+        let mut limits = Limits::default();
+        limits.time = limit.unwrap_or(limits.time);
+        limits.whole = limits.whole.max(3 * limits.time);
         let compiler = Compiler { kit, root: self.root.clone(), colour: ink::on() };
         Ok(Judge { compiler, limits, scratch: self.scratch.clone(), memory: Some((memory, build)) })
     }
@@ -148,8 +150,14 @@ impl Workbench {
 
 /// Whether the file is as it was handed out, but for the ends of lines.
 pub(crate) fn is_untouched(exercise: &Exercise, file: &Path) -> bool {
-    fs::read(file).is_ok_and(|bytes| {
+    bytes_of(file).is_some_and(|bytes| {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
         bytes.iter().filter(|byte| **byte != b'\r').eq(exercise.stub.as_bytes())
     })
+}
+
+/// The bytes of a student's file; `None` if there is none, or it is no file of a solution's size: a device, a pipe, a disk image.
+pub(crate) fn bytes_of(file: &Path) -> Option<Vec<u8>> {
+    let metadata = fs::metadata(file).ok()?;
+    if !metadata.is_file() || metadata.len() > LONGEST_FILE { None } else { fs::read(file).ok() }
 }

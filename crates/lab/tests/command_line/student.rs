@@ -204,6 +204,63 @@ fn a_file_from_elsewhere_is_judged_by_its_name() {
 }
 
 #[test]
+fn files_and_folders_are_meant_as_a_shell_completes_them() {
+    let student = Student::new();
+    let verdicts = |line: &str| student.json(line).1["verdicts"].as_array().expect("a list").len();
+    let folder = student.folder.path().join("zbuffer");
+    assert_eq!(verdicts(&format!("check {}/ --json", folder.display())), 6);
+    assert_eq!(verdicts("check zbuffer --json"), 6, "the concept, not the exercise of that name");
+    assert_eq!(verdicts("check zbuffer/zbuffer --json"), 1);
+    let (_, json) = student.json("check lambert.rs --json");
+    assert_eq!(json["verdicts"][0]["outcome"], "not started");
+    let (_, json) = student.json("hint zbuffer --json");
+    assert_eq!(json["exercise"], "zbuffer");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_never_ends_is_no_file_of_a_student() {
+    let student = Student::new();
+    let file = student.file("reflection");
+    fs::remove_file(&file).expect("removed");
+    std::os::unix::fs::symlink("/dev/zero", &file).expect("linked");
+    let (_, json) = student.json("check reflection --json");
+    assert_eq!(json["verdicts"][0]["outcome"], "unreadable");
+    student.lab("").done();
+}
+
+#[test]
+fn the_line_that_repeats_a_verdict_does() {
+    let student = Student::new();
+    let elsewhere = tempfile::tempdir().expect("a folder");
+    let file = elsewhere.path().join("rotate_about_point.rs");
+    fs::write(&file, course::find(NAME).expect("it").stub.replace("todo!()", WRONG)).expect("written");
+    let said = student.lab(&format!("check {}", file.display()));
+    let again =
+        said.out.lines().find_map(|line| line.trim().strip_prefix("The same again: cargo lab ")).expect("it");
+    assert_eq!(student.lab(again).out, said.out);
+}
+
+#[test]
+fn nan_gets_words_of_its_own_and_a_hang_no_laws_help() {
+    let student = Student::new();
+    student.solves(NAME, "Mat3::from_cols_array(&[f32::NAN; 9])");
+    assert!(student.lab("check").out.contains("NaN and inf are no numbers"));
+    student.solves(NAME, "loop {}");
+    let out = student.lab("check --limit 0.2").out;
+    assert!(out.contains("No answer to the call below within 0.2 s") && !out.contains("smallest"), "{out}");
+}
+
+#[test]
+fn a_reader_of_the_board_may_leave() {
+    let student = Student::new();
+    let (reader, writer) = std::io::pipe().expect("a pipe");
+    drop(reader);
+    let run = student.command("").stdout(writer).output().expect("it runs");
+    assert_eq!((run.status.code(), run.stderr.as_slice()), (Some(0), &b""[..]));
+}
+
+#[test]
 fn hints_come_one_at_a_time() {
     let student = Student::new();
     let hints = course::find(NAME).expect("the exercise").hints;
