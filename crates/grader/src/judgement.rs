@@ -138,7 +138,7 @@ impl Outcome {
             Self::Panicked(panic) => panicked(panic),
             Self::TimedOut(limit) => {
                 format!(
-                    "The call below did not return within {} s: is there a loop without end?",
+                    "No answer to the call below within {} s: is there a loop without end?",
                     *limit as f64 / 1e3
                 )
             }
