@@ -29,7 +29,7 @@ pub use answerer::{Answerer, Fault, InProcess, Loss, Reply};
 pub use concept::Concept;
 pub use exercise::{Calls, Example, Exercise, Misconception, Picture, Program, Seen, Signature, Title};
 pub use fingerprint::fingerprint;
-pub use law::{Asker, Broken, Law, Stop, close, that};
+pub use law::{Asker, Broken, Law, Stop, Unbound, close, that};
 pub use worker::{Plain, Value};
 
 /// The exercises, in the order in which they are best done.
