@@ -41,7 +41,7 @@ impl Bench {
         let folder = tempfile::tempdir().expect("a folder");
         let judge = Judge {
             compiler: Compiler { kit: kit(), root: folder.path().to_owned(), colour: false },
-            limits: Limits { time: Duration::from_millis(500), ..Limits::default() },
+            limits: Limits::default(),
             scratch: folder.path().join("scratch"),
             memory: None,
         };

@@ -146,7 +146,7 @@ fn one_broken_file_costs_no_other_its_verdict() {
     fs::write(student.file("perspective"), b"").expect("written");
     fs::remove_file(student.file("lambert")).expect("removed");
     student.solves("halfway", "loop {}");
-    let (code, json) = student.json("check --all --limit 0.3 --json");
+    let (code, json) = student.json("check --all --limit 1 --json");
     assert_eq!(code, Some(1));
     let outcome = |name: &str| {
         let verdicts = json["verdicts"].as_array().expect("a list");
