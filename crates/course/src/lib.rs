@@ -13,7 +13,6 @@ mod answerer;
 mod concept;
 pub mod diagnosis;
 mod exercise;
-mod fingerprint;
 mod law;
 mod panels;
 mod source;
@@ -28,8 +27,8 @@ mod zbuffer;
 pub use answerer::{Answerer, Fault, InProcess, Loss, Reply};
 pub use concept::Concept;
 pub use exercise::{Calls, Example, Exercise, Misconception, Picture, Program, Seen, Signature, Title};
-pub use fingerprint::fingerprint;
 pub use law::{Asker, Broken, Law, Stop, Unbound, close, that};
+pub use testkit::fingerprint;
 pub use worker::{Plain, Value};
 
 /// The exercises, in the order in which they are best done.

@@ -1,11 +1,11 @@
 //! Does a function keep the laws of its exercise, and if not, what is the smallest input on which it fails?
 
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use testkit::fingerprint;
 use worker::Value;
 
 use crate::answerer::{Answerer, Fault, Reply};
 use crate::exercise::{Example, Exercise};
-use crate::fingerprint::fingerprint;
 use crate::law::{Asker, Broken, Case, Law, Stop};
 
 /// So many steps towards a smaller input, at most.

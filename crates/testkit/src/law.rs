@@ -7,6 +7,8 @@ use std::fmt::Debug;
 use proptest::strategy::Strategy;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestError, TestRunner};
 
+use crate::fingerprint::fingerprint;
+
 /// What checking one input gives: `Ok`, or how the law failed. The macros `prop_assert!` and friends return it.
 pub type Outcome = Result<(), TestCaseError>;
 
@@ -125,7 +127,7 @@ impl Law {
             config.cases = self.cases;
         }
         if matches!(from_environment.rng_seed, RngSeed::Random) {
-            config.rng_seed = RngSeed::Fixed(seed_of(&self.sentence));
+            config.rng_seed = RngSeed::Fixed(fingerprint(self.sentence.bytes()));
         }
         // The seed is fixed: a failing input comes back by itself, without a file that remembers it.
         config.failure_persistence = None;
@@ -192,13 +194,6 @@ impl std::fmt::Display for Failure {
 }
 
 impl std::error::Error for Failure {}
-
-/// FNV-1a: the same seed for the same sentence on every machine.
-fn seed_of(sentence: &str) -> u64 {
-    sentence
-        .bytes()
-        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
-}
 
 #[cfg(test)]
 mod tests {

@@ -5,6 +5,7 @@
 //! - [`strategy`]: bases, rotations, triangles, rays, directions… on asymmetric data.
 //! - [`by_hand`]: inputs that a person can check with pencil and paper.
 //! - [`close`](mod@close): comparisons with a bound that the caller derives.
+//! - [`fingerprint`]: a number for some bytes, the same on every machine.
 //! - [`damage`]: files as they should not be, and a watch over whoever reads them.
 //!
 //! A law in five lines:
@@ -26,10 +27,12 @@
 pub mod by_hand;
 pub mod close;
 pub mod damage;
+mod fingerprint;
 pub mod law;
 pub mod strategy;
 
 pub use close::{Deviation, assert_close, ensure, ensure_close};
+pub use fingerprint::fingerprint;
 pub use law::{Classes, Law, Outcome};
 
 #[cfg(doctest)]
