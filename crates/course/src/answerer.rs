@@ -41,6 +41,15 @@ pub enum Loss {
     Crashed(String),
 }
 
+/// The values that came back, one for each question; `None` where none did, and for all questions after a call that never came back.
+pub fn values(answerer: &mut dyn Answerer, questions: &[Vec<Value>]) -> Vec<Option<Value>> {
+    let replies = answerer.ask(questions).unwrap_or_default();
+    let value = |reply| if let Reply::Value(value) = reply { Some(value) } else { None };
+    let mut values: Vec<Option<Value>> = replies.into_iter().map(value).collect();
+    values.resize(questions.len(), None);
+    values
+}
+
 /// Something that is wrong with the one who judges, never counted against the student.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault(pub String);

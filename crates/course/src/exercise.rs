@@ -1,7 +1,10 @@
 //! What is an exercise?
 
-use worker::{Function, Value};
+use std::cell::RefCell;
 
+use worker::{Function, Plain, Value};
+
+use crate::answerer::{Answerer, InProcess, values};
 use crate::concept::Concept;
 use crate::law::{Law, Stop, close};
 
@@ -50,6 +53,27 @@ impl Exercise {
     /// What a right answer gets.
     pub fn points(&self) -> u32 {
         Self::EXAMPLE_POINTS + self.laws.iter().map(Law::points).sum::<u32>()
+    }
+
+    /// Draws a call: what it was asked and gave, and what the reference gives. `yours` answers further calls of the same function, for
+    /// pictures that take more than one. `None` where there is nothing to draw.
+    pub fn picture(
+        &self,
+        arguments: &[Value],
+        given: Option<&Value>,
+        yours: &mut dyn Answerer,
+    ) -> Option<Picture> {
+        let mut reference = InProcess(self.reference.function);
+        let right = values(&mut reference, &[arguments.to_vec()]).pop()??;
+        let yours = RefCell::new(yours);
+        let seen = Seen {
+            arguments,
+            given,
+            right: &right,
+            yours: &|questions| values(&mut **yours.borrow_mut(), questions),
+            reference: &|questions| values(&mut InProcess(self.reference.function), questions),
+        };
+        (self.draw)(&seen)
     }
 
     /// Where the student's file lies in the folder of exercises: "transforms/rotate_about_point.rs".
@@ -162,6 +186,23 @@ pub struct Seen<'a> {
     pub yours: &'a Calls<'a>,
     /// The same of the reference.
     pub reference: &'a Calls<'a>,
+}
+
+impl Seen<'_> {
+    /// An argument by its place, if it is of this type.
+    pub(crate) fn argument<T: Plain>(&self, at: usize) -> Option<T> {
+        T::from_value(self.arguments.get(at)?.clone())
+    }
+
+    /// The student's answer, if there is one of this type.
+    pub(crate) fn given_as<T: Plain>(&self) -> Option<T> {
+        T::from_value(self.given?.clone())
+    }
+
+    /// The reference's answer.
+    pub(crate) fn right_as<T: Plain>(&self) -> Option<T> {
+        T::from_value(self.right.clone())
+    }
 }
 
 /// Calls a function with many lists of arguments.

@@ -16,6 +16,7 @@ mod exercise;
 mod law;
 mod panels;
 mod source;
+mod stage;
 pub mod trial;
 
 mod lighting;
@@ -24,7 +25,7 @@ mod shading;
 mod transforms;
 mod zbuffer;
 
-pub use answerer::{Answerer, Fault, InProcess, Loss, Reply};
+pub use answerer::{Answerer, Fault, InProcess, Loss, Reply, values};
 pub use concept::Concept;
 pub use exercise::{Calls, Example, Exercise, Misconception, Picture, Program, Seen, Signature, Title};
 pub use law::{Asker, Broken, Law, Stop, Unbound, close, that};

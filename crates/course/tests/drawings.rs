@@ -1,7 +1,7 @@
 //! Does every drawing stand whatever the answer is? Drawn from the counterexamples of all misconceptions, and from damaged answers.
 
 use course::trial::{Examination, examine};
-use course::{Exercise, InProcess, Picture, Reply, Seen, Value};
+use course::{Exercise, InProcess, Picture, Reply, Value};
 
 /// What is no coordinate of a point on a sheet.
 const STRANGE: [f32; 5] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30, -0.0];
@@ -16,21 +16,8 @@ fn drawn(
     let (_, counterexample) = examination.counterexample()?;
     let (arguments, reply) = counterexample.calls.last()?;
     let Reply::Value(given) = reply else { return None };
-    let answers = |answerer: InProcess, questions: &[Vec<Value>]| -> Vec<Option<Value>> {
-        let answer = |question: &Vec<Value>| match answerer.reply(question) {
-            Ok(Reply::Value(value)) => Some(value),
-            _ => None,
-        };
-        questions.iter().map(answer).collect()
-    };
-    let reference = InProcess(exercise.reference.function);
-    let Ok(Reply::Value(right)) = reference.reply(arguments) else { return None };
-    let yours = |questions: &[Vec<Value>]| answers(wrong, questions);
-    let right_ones = |questions: &[Vec<Value>]| answers(reference, questions);
     let damaged = damage(given);
-    let seen =
-        Seen { arguments, given: Some(&damaged), right: &right, yours: &yours, reference: &right_ones };
-    (exercise.draw)(&seen)
+    exercise.picture(arguments, Some(&damaged), &mut { wrong })
 }
 
 fn assert_sound(picture: &Picture, who: &str) {

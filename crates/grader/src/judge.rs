@@ -1,13 +1,12 @@
 //! What is a student's file worth, and if it is wrong, how?
 
-use std::cell::RefCell;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use course::diagnosis::diagnose;
 use course::trial::{Examination, examine};
-use course::{Answerer, Exercise, Fault, InProcess, Loss, Picture, Reply, Seen, Value};
+use course::{Exercise, Loss, Picture, Reply};
 use rayon::prelude::*;
 
 use crate::compile::{Compiler, NotCompiled, Part};
@@ -134,30 +133,11 @@ fn weigh(
 }
 
 /// The counterexample's last call, drawn.
-fn picture(exercise: &Exercise, examination: &Examination, process: Process) -> Option<Picture> {
+fn picture(exercise: &Exercise, examination: &Examination, mut process: Process) -> Option<Picture> {
     let (_, counterexample) = examination.counterexample()?;
     let (arguments, reply) = counterexample.calls.last()?;
     let Reply::Value(given) = reply else { return None };
-    let reference = InProcess(exercise.reference.function);
-    let Ok(Reply::Value(right)) = reference.reply(arguments) else { return None };
-    let asked = RefCell::new(process);
-    let yours = |questions: &[Vec<Value>]| values(&mut *asked.borrow_mut(), questions);
-    let right_ones =
-        |questions: &[Vec<Value>]| values(&mut InProcess(exercise.reference.function), questions);
-    let seen = Seen { arguments, given: Some(given), right: &right, yours: &yours, reference: &right_ones };
-    (exercise.draw)(&seen)
-}
-
-/// Answers where there are some; after a loss nothing more is asked.
-fn values(answerer: &mut dyn Answerer, questions: &[Vec<Value>]) -> Vec<Option<Value>> {
-    let replies: Result<Vec<Reply>, Fault> = answerer.ask(questions);
-    let mut values: Vec<Option<Value>> = replies
-        .unwrap_or_default()
-        .into_iter()
-        .map(|reply| if let Reply::Value(value) = reply { Some(value) } else { None })
-        .collect();
-    values.resize(questions.len(), None);
-    values
+    exercise.picture(arguments, Some(given), &mut process)
 }
 
 /// What can be said of a file without compiling it.

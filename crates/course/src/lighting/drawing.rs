@@ -33,20 +33,20 @@ pub(super) fn blinn_phong(seen: &Seen<'_>) -> Option<Picture> {
 
 /// A ball in all lights of a counterexample of [`super::light_all`], seen from its eye.
 pub(super) fn light_all(seen: &Seen<'_>) -> Option<Picture> {
-    let at = <SurfacePoint as Plain>::from_value(seen.arguments.get(3)?.clone())?;
+    let at = seen.argument::<SurfacePoint>(3)?;
     ball(seen, at.n, Vec3::ZERO, at.to_eye, |n| with(seen, 3, SurfacePoint { n, ..at }))
 }
 
 /// The mirror from the side: n, l, the right r and yours.
 pub(super) fn reflection(seen: &Seen<'_>) -> Option<Picture> {
     let (n, l) = (direction(seen, 0)?, direction(seen, 1)?);
-    let right = <Vec3 as Plain>::from_value(seen.right.clone())?;
+    let right = seen.right_as::<Vec3>()?;
     let across = (l - n.dot(l) * n).try_normalize().unwrap_or_else(|| n.any_orthonormal_vector());
     let arrows = Arrows {
         frame: [across, n],
         known: &[("n", n), ("l", l)],
         right: Some(("r", right)),
-        yours: seen.given.cloned().and_then(<Vec3 as Plain>::from_value),
+        yours: seen.given_as::<Vec3>(),
         on_a_surface: true,
         name: Words::new("the mirror from the side", "de spiegel van opzij"),
     };
@@ -56,14 +56,14 @@ pub(super) fn reflection(seen: &Seen<'_>) -> Option<Picture> {
 /// The plane of e and l: both, the right h if there is one, and yours.
 pub(super) fn halfway(seen: &Seen<'_>) -> Option<Picture> {
     let (e, l) = (direction(seen, 0)?, direction(seen, 1)?);
-    let right = <Option<Vec3> as Plain>::from_value(seen.right.clone())?;
+    let right = seen.right_as::<Option<Vec3>>()?;
     let across = (l - e).try_normalize().unwrap_or_else(|| e.any_orthonormal_vector());
     let up = right.unwrap_or_else(|| across.any_orthonormal_vector());
     let arrows = Arrows {
         frame: [across, up],
         known: &[("e", e), ("l", l)],
         right: right.map(|h| ("h", h)),
-        yours: seen.given.cloned().and_then(<Option<Vec3> as Plain>::from_value).flatten(),
+        yours: seen.given_as::<Option<Vec3>>().flatten(),
         on_a_surface: false,
         name: Words::new("the plane of e and l", "het vlak van e en l"),
     };
@@ -71,7 +71,7 @@ pub(super) fn halfway(seen: &Seen<'_>) -> Option<Picture> {
 }
 
 fn direction(seen: &Seen<'_>, at: usize) -> Option<Vec3> {
-    <Vec3 as Plain>::from_value(seen.arguments.get(at)?.clone())
+    seen.argument::<Vec3>(at)
 }
 
 /// The counterexample's arguments, one of them another.

@@ -41,9 +41,9 @@ fn weights(place: Vec2) -> Option<Barycentric> {
 
 /// The triangle with the right normal and yours.
 pub(super) fn face_normal(seen: &Seen<'_>) -> Option<Picture> {
-    let Triangle { a, b, c } = Plain::from_value(seen.arguments.first()?.clone())?;
-    let right = <Option<Vec3> as Plain>::from_value(seen.right.clone())?;
-    let yours = seen.given.cloned().and_then(<Option<Vec3> as Plain>::from_value).flatten();
+    let Triangle { a, b, c } = seen.argument(0)?;
+    let right = seen.right_as::<Option<Vec3>>()?;
+    let yours = seen.given_as::<Option<Vec3>>().flatten();
     let middle = (a + b + c) / 3.0;
     let mesh = Normals {
         positions: &[a, b, c],
@@ -59,10 +59,10 @@ pub(super) fn face_normal(seen: &Seen<'_>) -> Option<Picture> {
 
 /// The mesh with the right normals and yours.
 pub(super) fn vertex_normals(seen: &Seen<'_>) -> Option<Picture> {
-    let positions = <Vec<Vec3> as Plain>::from_value(seen.arguments.first()?.clone())?;
-    let triangles = <Vec<[usize; 3]> as Plain>::from_value(seen.arguments.get(1)?.clone())?;
-    let right = <Vec<Vec3> as Plain>::from_value(seen.right.clone())?;
-    let yours = seen.given.cloned().and_then(<Vec<Vec3> as Plain>::from_value).unwrap_or_default();
+    let positions = seen.argument::<Vec<Vec3>>(0)?;
+    let triangles = seen.argument::<Vec<[usize; 3]>>(1)?;
+    let right = seen.right_as::<Vec<Vec3>>()?;
+    let yours = seen.given_as::<Vec<Vec3>>().unwrap_or_default();
     let standing = |normals: &[Vec3]| positions.iter().copied().zip(normals.iter().copied()).collect();
     let mesh = Normals {
         positions: &positions,

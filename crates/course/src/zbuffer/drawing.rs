@@ -166,8 +166,8 @@ fn short(x: f32) -> String {
 
 /// The point, the triangle that belongs to each weight, and the point that your weights make.
 pub(super) fn weights(seen: &Seen<'_>) -> Option<Picture> {
-    let triangle: Triangle2 = read(seen.arguments.first())?;
-    let p: Vec2 = read(seen.arguments.get(1))?;
+    let triangle: Triangle2 = seen.argument(0)?;
+    let p: Vec2 = seen.argument(1)?;
     let answers = [seen.given.cloned(), Some(seen.right.clone())];
     let answers = answers.map(|answer| <Option<Barycentric>>::from_value(answer?).flatten());
     let captions = answers.map(|answer| match answer {
@@ -208,8 +208,8 @@ pub(super) fn weights(seen: &Seen<'_>) -> Option<Picture> {
 
 /// The samples around a triangle, those that it covers as dots, and the sample that was asked about.
 pub(super) fn coverage(seen: &Seen<'_>) -> Option<Picture> {
-    let triangle: Triangle2 = read(seen.arguments.first())?;
-    let p: Vec2 = read(seen.arguments.get(1))?;
+    let triangle: Triangle2 = seen.argument(0)?;
+    let p: Vec2 = seen.argument(1)?;
     let captions = [seen.given, Some(seen.right)].map(|answer| match read(answer) {
         Some(true) => Words::new("p is covered", "p is bedekt"),
         Some(false) => Words::new("p is not covered", "p is niet bedekt"),
@@ -250,8 +250,8 @@ pub(super) fn coverage(seen: &Seen<'_>) -> Option<Picture> {
 
 /// The depth at the samples around a triangle, and at the point that was asked about.
 pub(super) fn depths(seen: &Seen<'_>) -> Option<Picture> {
-    let triangle: Triangle = read(seen.arguments.first())?;
-    let p: Vec2 = read(seen.arguments.get(1))?;
+    let triangle: Triangle = seen.argument(0)?;
+    let p: Vec2 = seen.argument(1)?;
     let captions = [seen.given, Some(seen.right)].map(|answer| match read::<f32>(answer) {
         Some(z) => Words::new(format!("z = {} at p", short(z)), format!("z = {} in p", short(z))),
         None => Words::new("no answer", "geen antwoord"),
@@ -297,9 +297,9 @@ fn depths_of_corners(sheet: &mut Sheet, at: &dyn Fn(Vec2) -> Vec2, triangle: Tri
 
 /// The screen with the pixels that a triangle owns.
 pub(super) fn pixels(seen: &Seen<'_>) -> Option<Picture> {
-    let triangle: Triangle2 = read(seen.arguments.first())?;
-    let width: u32 = read(seen.arguments.get(1))?;
-    let height: u32 = read(seen.arguments.get(2))?;
+    let triangle: Triangle2 = seen.argument(0)?;
+    let width: u32 = seen.argument(1)?;
+    let height: u32 = seen.argument(2)?;
     let answers = [seen.given, Some(seen.right)].map(|answer| read::<Vec<Pixel>>(answer).unwrap_or_default());
     let captions = answers.each_ref().map(|pixels| {
         let count = pixels.len();
@@ -343,10 +343,10 @@ pub(super) fn pixels(seen: &Seen<'_>) -> Option<Picture> {
 
 /// The z-buffer as the slide prints it, with a letter and a tint for the colour in the rgb-buffer.
 pub(super) fn grids(seen: &Seen<'_>) -> Option<Picture> {
-    let fragments: Vec<Fragment> = read(seen.arguments.first())?;
-    let background: Vec3 = read(seen.arguments.get(1))?;
-    let width: u32 = read(seen.arguments.get(2))?;
-    let height: u32 = read(seen.arguments.get(3))?;
+    let fragments: Vec<Fragment> = seen.argument(0)?;
+    let background: Vec3 = seen.argument(1)?;
+    let width: u32 = seen.argument(2)?;
+    let height: u32 = seen.argument(3)?;
     let colours = colours_of(&fragments, background);
     let answers = [seen.given, Some(seen.right)].map(read::<Buffers>);
     let cell = |panel: usize, p: Vec2| -> Option<(f32, Vec3)> {
@@ -410,8 +410,8 @@ fn depth_in_a_cell(z: f32) -> String {
 
 /// The polygons in a ring, an arrow from each to what hides it; arrows that an order breaks stand out.
 pub(super) fn orders(seen: &Seen<'_>) -> Option<Picture> {
-    let count: usize = read(seen.arguments.first())?;
-    let occlusions: Vec<Occlusion> = read(seen.arguments.get(1))?;
+    let count: usize = seen.argument(0)?;
+    let occlusions: Vec<Occlusion> = seen.argument(1)?;
     let answers = [seen.given, Some(seen.right)].map(|answer| read::<Option<Vec<usize>>>(answer).flatten());
     let captions = answers.each_ref().map(|order| Words::from(written(order.as_deref(), count)));
     let at_ring = |k: usize| 1.8 * Vec2::from_angle(std::f32::consts::TAU * (0.25 - k as f32 / count as f32));
@@ -468,32 +468,6 @@ mod tests {
     use super::*;
     use crate::{InProcess, Reply};
 
-    fn drawn(
-        exercise: &crate::Exercise,
-        question: &[Value],
-        given: Option<&Value>,
-        wrong: worker::Function,
-    ) -> Option<Picture> {
-        let answers = |function: worker::Function| {
-            move |questions: &[Vec<Value>]| {
-                let one = |question: &Vec<Value>| match InProcess(function).reply(question) {
-                    Ok(Reply::Value(value)) => Some(value),
-                    _ => None,
-                };
-                questions.iter().map(one).collect::<Vec<Option<Value>>>()
-            }
-        };
-        let (yours, reference) = (answers(wrong), answers(exercise.reference.function));
-        let right = reference(&[question.to_vec()]).pop().flatten()?;
-        (exercise.draw)(&Seen {
-            arguments: question,
-            given,
-            right: &right,
-            yours: &yours,
-            reference: &reference,
-        })
-    }
-
     #[test]
     fn every_wrong_answer_to_an_example_is_drawn() {
         for exercise in crate::zbuffer::exercises() {
@@ -505,8 +479,8 @@ mod tests {
                         continue;
                     };
                     let who = format!("{} by {}", exercise.name, misconception.program.name);
-                    let picture =
-                        drawn(&exercise, &example.arguments, Some(&given), misconception.program.function);
+                    let mut wrong = InProcess(misconception.program.function);
+                    let picture = exercise.picture(&example.arguments, Some(&given), &mut wrong);
                     let picture = picture.unwrap_or_else(|| panic!("{who}: no picture"));
                     sound(&picture, &who);
                 }
@@ -546,7 +520,8 @@ mod tests {
             for example in &exercise.examples {
                 for given in absurd.iter().map(Some).chain([None]) {
                     let who = format!("{} given {given:?}", exercise.name);
-                    let picture = drawn(&exercise, &example.arguments, given, exercise.reference.function);
+                    let mut right = InProcess(exercise.reference.function);
+                    let picture = exercise.picture(&example.arguments, given, &mut right);
                     sound(&picture.unwrap_or_else(|| panic!("{who}: no picture")), &who);
                 }
             }

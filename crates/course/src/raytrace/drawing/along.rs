@@ -5,8 +5,9 @@ use sheet::text::decimal;
 use sheet::{Ink, LETTER, Letters, Side};
 use vocabulary::{Ray, Sphere};
 
-use super::{Panel, RIGHT, YOURS, below_the_words, blank, compared, finished, given, mark, read};
+use super::{MARGIN, below_the_words, compared, mark};
 use crate::exercise::{Picture, Seen};
+use crate::stage::{Panel, RIGHT, YOURS, blank, extent, finished, read};
 
 const SIZE: Vec2 = vec2(720.0, 360.0);
 
@@ -17,8 +18,8 @@ const BEYOND: f32 = 1.0;
 pub(crate) fn sphere_along_the_ray(seen: &Seen<'_>) -> Option<Picture> {
     let [ray, sphere] = seen.arguments else { return None };
     let (ray, sphere): (Ray, Sphere) = (read(ray)?, read(sphere)?);
-    let right: Option<f32> = read(seen.right)?;
-    let yours: Option<f32> = given::<Option<f32>>(seen).flatten();
+    let right: Option<f32> = seen.right_as()?;
+    let yours: Option<f32> = seen.given_as::<Option<f32>>().flatten();
     let words = [spoken(seen, yours.map(at_t)), right.map_or("None".to_owned(), at_t)];
     drawn(ray, &[sphere], (0.0, None), [yours, right], &words)
 }
@@ -28,8 +29,8 @@ pub(crate) fn nearest_along_the_ray(seen: &Seen<'_>) -> Option<Picture> {
     let [ray, spheres, t0, t1] = seen.arguments else { return None };
     let (ray, spheres): (Ray, Vec<Sphere>) = (read(ray)?, read(spheres)?);
     let interval: (f32, f32) = (read(t0)?, read(t1)?);
-    let right: Option<(usize, f32)> = read(seen.right)?;
-    let yours: Option<(usize, f32)> = given::<Option<(usize, f32)>>(seen).flatten();
+    let right: Option<(usize, f32)> = seen.right_as()?;
+    let yours: Option<(usize, f32)> = seen.given_as::<Option<(usize, f32)>>().flatten();
     let say = |(index, t): (usize, f32)| format!("sphere {index} at t = {}", decimal(t, 3));
     let words = [spoken(seen, yours.map(say)), right.map_or("None".to_owned(), say)];
     let t = |hit: (usize, f32)| hit.1;
@@ -41,7 +42,7 @@ pub(crate) fn on_the_way_to_the_lamp(seen: &Seen<'_>) -> Option<Picture> {
     let [point, light, spheres] = seen.arguments else { return None };
     let (point, light, spheres): (Vec3, Vec3, Vec<Sphere>) = (read(point)?, read(light)?, read(spheres)?);
     let say = |dark: bool| if dark { "in shadow" } else { "lit" }.to_owned();
-    let words = [spoken(seen, given(seen).map(say)), say(read(seen.right)?)];
+    let words = [spoken(seen, seen.given_as().map(say)), say(seen.right_as()?)];
     drawn(Ray { origin: point, direction: light - point }, &spheres, (0.0, Some(1.0)), [None, None], &words)
 }
 
@@ -77,13 +78,13 @@ fn drawn(
     let ends = [0.0, t0, 1.0].into_iter().chain(t1).chain(right).filter(|t| t.is_finite()).map(on_ray);
     let corners = centres.iter().zip(spheres).flat_map(|(c, s)| [*c - s.radius, *c + s.radius]);
     let mut shown: Vec<Vec2> = ends.chain(corners).collect();
-    let (least, greatest) = super::extent(&shown);
+    let (least, greatest) = extent(&shown);
     let room = BEYOND * (greatest.x - least.x);
     let is_near = |x: f32| least.x - room <= x && x <= greatest.x + room;
     let yours = yours.map(on_ray).filter(|p| p.is_finite() && is_near(p.x));
     shown.extend(yours);
-    let panel = Panel::showing(&shown, below_the_words(SIZE));
-    let (least, greatest) = super::extent(&shown);
+    let panel = Panel::showing(&shown, below_the_words(SIZE), MARGIN);
+    let (least, greatest) = extent(&shown);
 
     let mut sheet = blank(SIZE);
     compared(&mut sheet, &words[0], &words[1]);

@@ -4,8 +4,9 @@ use glam::{Vec2, Vec3, vec2};
 use sheet::text::{decimal, degrees};
 use sheet::{Ink, Letters, Side};
 
-use super::{RIGHT, YOURS, blank, compared, finished, given, read};
+use super::compared;
 use crate::exercise::{Picture, Seen};
+use crate::stage::{RIGHT, YOURS, blank, finished, read};
 
 const SIZE: Vec2 = vec2(560.0, 500.0);
 
@@ -16,8 +17,8 @@ const UNIT: f32 = 170.0;
 pub(crate) fn bent_ray(seen: &Seen<'_>) -> Option<Picture> {
     let [direction, normal, ratio] = seen.arguments else { return None };
     let (d, n, ratio): (Vec3, Vec3, f32) = (read(direction)?, read(normal)?, read(ratio)?);
-    let right: Option<Vec3> = read(seen.right)?;
-    let yours: Option<Vec3> = given::<Option<Vec3>>(seen).flatten();
+    let right: Option<Vec3> = seen.right_as()?;
+    let yours: Option<Vec3> = seen.given_as::<Option<Vec3>>().flatten();
     let along = (d - d.dot(n) * n).try_normalize().unwrap_or(n.any_orthonormal_vector());
     let flat = |v: Vec3| vec2(v.dot(along), v.dot(n));
     let say = |on: Option<Vec3>| match on.map(flat) {

@@ -5,8 +5,8 @@ use sheet::{Ink, LETTER, Letters, Sheet, Side, Words};
 use vocabulary::{Ball, MirrorBall, Ray, Sphere};
 use worker::{Plain, Value};
 
-use super::read;
 use crate::exercise::{Picture, Seen};
+use crate::stage::read;
 
 /// Pixels of a picture on each side; odd, so that one is in the middle.
 const SIDE: i32 = 27;

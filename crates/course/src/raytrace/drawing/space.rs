@@ -6,10 +6,9 @@ use sheet::view::View;
 use sheet::{Ink, Letters, Sheet, Side};
 use vocabulary::{Ray, Triangle, TriangleHit};
 
-use super::{
-    Panel, RIGHT, YOURS, arrow, below_the_words, blank, compared, finished, given, mark, near, read,
-};
+use super::{MARGIN, arrow, below_the_words, compared, mark, near};
 use crate::exercise::{Picture, Seen};
+use crate::stage::{Panel, RIGHT, YOURS, blank, finished, read};
 
 const SIZE: Vec2 = vec2(720.0, 460.0);
 
@@ -17,8 +16,8 @@ const SIZE: Vec2 = vec2(720.0, 460.0);
 pub(crate) fn triangle_from_outside(seen: &Seen<'_>) -> Option<Picture> {
     let [ray, triangle] = seen.arguments else { return None };
     let (ray, triangle): (Ray, Triangle) = (read(ray)?, read(triangle)?);
-    let right: Option<TriangleHit> = read(seen.right)?;
-    let yours: Option<TriangleHit> = given::<Option<TriangleHit>>(seen).flatten();
+    let right: Option<TriangleHit> = seen.right_as()?;
+    let yours: Option<TriangleHit> = seen.given_as::<Option<TriangleHit>>().flatten();
     let say = |hit: Option<TriangleHit>| {
         hit.map_or("no hit".to_owned(), |hit| unknowns(vec3(hit.beta, hit.gamma, hit.t)))
     };
@@ -35,13 +34,13 @@ pub(crate) fn solved_system(seen: &Seen<'_>) -> Option<Picture> {
         let x = (matrix.as_dmat3().inverse() * right.as_dvec3()).as_vec3();
         x.is_finite().then_some(x)
     };
-    let right = solution(read(seen.right)?);
-    let system: Option<(Mat3, Vec3)> = given(seen);
+    let right = solution(seen.right_as()?);
+    let system: Option<(Mat3, Vec3)> = seen.given_as();
     let yours = system.and_then(solution);
     let say = |x: Option<Vec3>| x.map_or("no solution".to_owned(), unknowns);
     let picture = drawn(ray, triangle, [yours, right], &[say(yours), say(right)])?;
     let text = system
-        .map(|system| [rows("should be", read(seen.right)?), rows("yours", Some(system))].concat().into());
+        .map(|system| [rows("should be", seen.right_as()?), rows("yours", Some(system))].concat().into());
     Some(Picture { text: text.flatten(), ..picture })
 }
 
@@ -104,7 +103,7 @@ fn drawn(ray: Ray, triangle: Triangle, answers: [Option<Vec3>; 2], words: &[Stri
         corners.into_iter().chain([origin, tip]).chain(right.into_iter().flatten()).collect();
     let yours = yours.map(|pair| pair.map(|p| near(p, &around)));
     let seen: Vec<Vec2> = around.iter().copied().chain(yours.into_iter().flatten().flatten()).collect();
-    let panel = Panel::showing(&seen, below_the_words(SIZE));
+    let panel = Panel::showing(&seen, below_the_words(SIZE), MARGIN);
 
     let mut sheet = blank(SIZE);
     compared(&mut sheet, &words[0], &words[1]);

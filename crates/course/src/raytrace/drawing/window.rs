@@ -6,10 +6,9 @@ use sheet::view::View;
 use sheet::{Ink, Letters, Side};
 use vocabulary::{Basis, Ray, ViewVolume};
 
-use super::{
-    Panel, RIGHT, YOURS, arrow, below_the_words, blank, compared, finished, given, mark, near, read,
-};
+use super::{MARGIN, arrow, below_the_words, compared, mark, near};
 use crate::exercise::{Picture, Seen};
+use crate::stage::{Panel, RIGHT, YOURS, blank, finished, read};
 
 const SIZE: Vec2 = vec2(760.0, 420.0);
 
@@ -18,8 +17,8 @@ pub(crate) fn ray_through_the_window(seen: &Seen<'_>) -> Option<Picture> {
     let [eye, basis, volume, width, height, i, j] = seen.arguments else { return None };
     let (eye, basis, volume): (Vec3, Basis, ViewVolume) = (read(eye)?, read(basis)?, read(volume)?);
     let grid: [u32; 4] = [read(width)?, read(height)?, read(i)?, read(j)?];
-    let right: Ray = read(seen.right)?;
-    let yours: Option<Ray> = given(seen);
+    let right: Ray = seen.right_as()?;
+    let yours: Option<Ray> = seen.given_as();
     // Camera coordinates: the eye is the origin.
     let in_camera = |p: Vec3| vec3((p - eye).dot(basis.u), (p - eye).dot(basis.v), (p - eye).dot(basis.w));
     let ends = |ray: Ray| [in_camera(ray.origin), in_camera(ray.origin + ray.direction)];
@@ -54,7 +53,7 @@ fn on_the_window(
     let around = [place(0, 0), place(width, height), right[1].truncate()];
     let yours = yours.and_then(|ends| near(ends[1].truncate(), &around));
     let shown: Vec<Vec2> = around.into_iter().chain(yours).collect();
-    let panel = Panel::showing(&shown, part);
+    let panel = Panel::showing(&shown, part, MARGIN);
     let pixel = [place(i, j), place(i + 1, j), place(i + 1, j + 1), place(i, j + 1)];
     sheet.wash(&panel.all_at(&pixel), Ink::B);
     let fine = Ink::Faint.pen().fine();
@@ -80,7 +79,7 @@ fn from_beside(sheet: &mut sheet::Sheet, part: [Vec2; 2], volume: &ViewVolume, (
     let yours = yours.map(|ends| ends.map(|p| view.at(p)));
     let yours = yours.filter(|ends| ends.iter().all(|p| near(*p, &around).is_some()));
     let shown: Vec<Vec2> = around.iter().copied().chain(yours.into_iter().flatten()).collect();
-    let panel = Panel::showing(&shown, part);
+    let panel = Panel::showing(&shown, part, MARGIN);
     for corner in window {
         sheet.line(panel.at(eye), panel.at(corner), Ink::Faint.pen().fine().dashed());
     }

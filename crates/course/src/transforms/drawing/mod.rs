@@ -12,73 +12,19 @@ mod space;
 mod volume;
 
 use glam::{Vec2, vec2};
-use sheet::{Ink, LETTER, Letters, Sheet, Side, Words};
-use worker::{Plain, Value};
+use sheet::{Ink, LETTER, Letters, Sheet, Side};
 
-use crate::exercise::{Picture, Seen};
+use crate::stage::{YOURS, is_near};
 
 pub(super) use plane::{pixels_on_the_window, rotation, square_on_the_screen};
 pub(super) use space::{camera_axes, carried_axes, carried_back_axes, world_before_the_camera};
 pub(super) use volume::{box_from_pyramid, cube_from_pyramid};
 
-/// What a given answer is drawn in, and what is right.
-const YOURS: Ink = Ink::A;
-const RIGHT: Ink = Ink::C;
-
 /// So many times as large as what is right may a given shape be; else it would make all the rest a dot.
 const LARGEST: f32 = 8.0;
 
-/// The given answer, if there is one of this type.
-fn given<T: Plain>(seen: &Seen<'_>) -> Option<T> {
-    read(seen.given?)
-}
-
-fn read<T: Plain>(value: &Value) -> Option<T> {
-    T::from_value(value.clone())
-}
-
-/// An empty sheet of this size; its unit is the pixel.
-fn blank(size: Vec2) -> Sheet {
-    Sheet::new(Vec2::ZERO, size, size.x)
-}
-
-fn finished(sheet: Sheet, said: impl Into<String>) -> Option<Picture> {
-    let said = said.into();
-    Some(Picture { svg: sheet.svg(&Words::new(said.clone(), said)), text: None })
-}
-
-/// A part of a sheet that shows a part of a plane, as large as it can be.
-struct Panel {
-    /// The middle of the part, in pixels of the sheet.
-    middle: Vec2,
-    /// What of the plane lies there.
-    shown: Vec2,
-    /// Pixels for each unit of the plane.
-    scale: f32,
-}
-
-impl Panel {
-    /// The part of the sheet between two of its corners, with a margin for names, showing all points. Points that are not
-    /// numbers are passed over.
-    fn showing(points: &[Vec2], [lower_left, upper_right]: [Vec2; 2]) -> Self {
-        const MARGIN: f32 = 34.0;
-        let finite = || points.iter().copied().filter(|p| p.is_finite());
-        let least = finite().fold(Vec2::INFINITY, Vec2::min);
-        let greatest = finite().fold(Vec2::NEG_INFINITY, Vec2::max);
-        let room = upper_right - lower_left - Vec2::splat(2.0 * MARGIN);
-        let scale = (room / (greatest - least).max(Vec2::splat(1e-3))).min_element();
-        Self { middle: (lower_left + upper_right) / 2.0, shown: (least + greatest) / 2.0, scale }
-    }
-
-    /// Where a point of the plane lies on the sheet.
-    fn at(&self, p: Vec2) -> Vec2 {
-        self.middle + self.scale * (p - self.shown)
-    }
-
-    fn all_at(&self, points: &[Vec2]) -> Vec<Vec2> {
-        points.iter().map(|p| self.at(*p)).collect()
-    }
-}
+/// Room for names around what a panel shows, in pixels.
+const MARGIN: f32 = 34.0;
 
 /// The left and the right half of a sheet of this size, between headings and notes.
 fn halves(size: Vec2) -> [[Vec2; 2]; 2] {
@@ -96,11 +42,7 @@ fn rows(size: Vec2) -> [[Vec2; 2]; 2] {
 
 /// The points, unless one is not a number or lies so far off that the right ones could not be seen beside it.
 fn near(points: Vec<Vec2>, right: &[Vec2]) -> Option<Vec<Vec2>> {
-    let least = right.iter().copied().fold(Vec2::INFINITY, Vec2::min);
-    let greatest = right.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
-    let middle = (least + greatest) / 2.0;
-    let most = LARGEST * (greatest - least).max_element();
-    points.iter().all(|p| p.is_finite() && p.distance(middle) <= most).then_some(points)
+    points.iter().all(|p| is_near(*p, right, LARGEST)).then_some(points)
 }
 
 /// A heading above a part of a sheet.

@@ -5,8 +5,9 @@ use sheet::text::decimal;
 use sheet::{Ink, Letters, Sheet, Side};
 use vocabulary::ViewVolume;
 
-use super::{NOT_SHOWN, Panel, RIGHT, YOURS, blank, finished, given, legend, near, note, read};
+use super::{MARGIN, NOT_SHOWN, legend, near, note};
 use crate::exercise::{Picture, Seen};
+use crate::stage::{Panel, RIGHT, YOURS, blank, finished, read};
 
 /// The letter F: it shows a turn, a mirror and a transposition at once.
 const LETTER_F: [Vec2; 10] = [
@@ -28,17 +29,17 @@ const BELOW_THE_LEGEND: [Vec2; 2] = [vec2(0.0, 28.0), vec2(SIZE.x, SIZE.y - 34.0
 /// A letter beside the centre p, turned about it.
 pub(crate) fn rotation(seen: &Seen<'_>) -> Option<Picture> {
     let [_, p] = seen.arguments else { return None };
-    let (p, right): (Vec2, Mat3) = (read(p)?, read(seen.right)?);
+    let (p, right): (Vec2, Mat3) = (read(p)?, seen.right_as()?);
     let size = (p.length() / 3.0).max(0.5);
     let before: Vec<Vec2> = LETTER_F.iter().map(|corner| p + size * (*corner + vec2(0.8, 0.3))).collect();
     // The centre goes along, as the last point.
     let with_centre: Vec<Vec2> = before.iter().copied().chain([p]).collect();
     let right = carried(right, &with_centre);
     let around: Vec<Vec2> = right.iter().chain(&with_centre).copied().chain([Vec2::ZERO]).collect();
-    let yours = given(seen).and_then(|m: Mat3| near(carried(m, &with_centre), &around));
+    let yours = seen.given_as().and_then(|m: Mat3| near(carried(m, &with_centre), &around));
 
     let shown: Vec<Vec2> = around.iter().chain(yours.iter().flatten()).copied().collect();
-    let panel = Panel::showing(&shown, BELOW_THE_LEGEND);
+    let panel = Panel::showing(&shown, BELOW_THE_LEGEND, MARGIN);
     let mut sheet = blank(SIZE);
     axes(&mut sheet, panel.at(Vec2::ZERO));
     sheet.polygon(&panel.all_at(&before), Ink::Faint.pen());
@@ -91,14 +92,14 @@ pub(crate) fn square_on_the_screen(seen: &Seen<'_>) -> Option<Picture> {
     let (width, height): (u32, u32) = (read(width)?, read(height)?);
     let last = vec2(width as f32, height as f32) - 0.5;
     let screen = rectangle(Vec2::splat(-0.5), last);
-    let yours: Option<Mat4> = given(seen);
+    let yours: Option<Mat4> = seen.given_as();
     let square = yours.and_then(|m| {
         let corners = rectangle(Vec2::NEG_ONE, Vec2::ONE);
         near(corners.iter().map(|p| m.project_point3(p.extend(0.0)).truncate()).collect(), &screen)
     });
 
     let shown: Vec<Vec2> = screen.iter().chain(square.iter().flatten()).copied().collect();
-    let panel = Panel::showing(&shown, BELOW_THE_LEGEND);
+    let panel = Panel::showing(&shown, BELOW_THE_LEGEND, MARGIN);
     let mut sheet = blank(SIZE);
     cells(&mut sheet, &panel, [screen[0], screen[2]], (width, height));
     outline(&mut sheet, &panel, &screen, RIGHT, "(−1, −1)");
@@ -124,15 +125,15 @@ pub(crate) fn square_on_the_screen(seen: &Seen<'_>) -> Option<Picture> {
 pub(crate) fn pixels_on_the_window(seen: &Seen<'_>) -> Option<Picture> {
     let [volume, width, height] = seen.arguments else { return None };
     let (volume, width, height): (ViewVolume, u32, u32) = (read(volume)?, read(width)?, read(height)?);
-    let right: Mat3 = read(seen.right)?;
+    let right: Mat3 = seen.right_as()?;
     let window = rectangle(vec2(volume.left, volume.bottom), vec2(volume.right, volume.top));
     let last = vec2(width as f32, height as f32) - 0.5;
     let screen = rectangle(Vec2::splat(-0.5), last);
-    let yours: Option<Mat3> = given(seen);
+    let yours: Option<Mat3> = seen.given_as();
     let image = yours.and_then(|m| near(carried(m, &screen), &window));
 
     let shown: Vec<Vec2> = window.iter().chain(image.iter().flatten()).copied().collect();
-    let panel = Panel::showing(&shown, BELOW_THE_LEGEND);
+    let panel = Panel::showing(&shown, BELOW_THE_LEGEND, MARGIN);
     let mut sheet = blank(SIZE);
     cells(&mut sheet, &panel, [window[0], window[2]], (width, height));
     outline(&mut sheet, &panel, &window, RIGHT, "(l, b)");

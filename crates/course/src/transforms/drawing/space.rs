@@ -7,8 +7,9 @@ use sheet::view::View;
 use sheet::{Ink, LETTER, Sheet};
 use vocabulary::Basis;
 
-use super::{NOT_SHOWN, Panel, blank, finished, given, halves, heading, near, note, read};
+use super::{MARGIN, NOT_SHOWN, halves, heading, near, note};
 use crate::exercise::{Picture, Seen};
+use crate::stage::{Panel, blank, finished, read};
 
 const SIZE: Vec2 = vec2(760.0, 400.0);
 
@@ -41,7 +42,7 @@ fn axes_and_images(
     right: Basis,
     names: [&'static str; 3],
 ) -> Option<Picture> {
-    let m: Option<Mat4> = given(seen);
+    let m: Option<Mat4> = seen.given_as();
     let yours = m.map(|m| {
         let [u, v, w] = [before.u, before.v, before.w].map(|axis| m.transform_vector3(axis));
         Basis { u, v, w }
@@ -63,8 +64,8 @@ fn axes_and_images(
 pub(crate) fn camera_axes(seen: &Seen<'_>) -> Option<Picture> {
     let [gaze, up] = seen.arguments else { return None };
     let (gaze, up): (Vec3, Vec3) = (read(gaze)?, read(up)?);
-    let right: Option<Basis> = read(seen.right)?;
-    let yours: Option<Basis> = given::<Option<Basis>>(seen).flatten();
+    let right: Option<Basis> = seen.right_as()?;
+    let yours: Option<Basis> = seen.given_as::<Option<Basis>>().flatten();
     let directions = [
         Arrow { name: "gaze", tip: LONGER * gaze.normalize_or_zero(), ink: Ink::Main, dashed: false },
         Arrow { name: "up", tip: LONGER * up.normalize_or_zero(), ink: Ink::Main, dashed: true },
@@ -112,7 +113,7 @@ fn two_frames(
     let around = [Vec2::splat(-LONGER), Vec2::splat(LONGER)];
     let mut sheet = blank(SIZE);
     for (k, (frame, part)) in [right, yours].into_iter().zip(halves(SIZE)).enumerate() {
-        let panel = Panel::showing(&around, part);
+        let panel = Panel::showing(&around, part, MARGIN);
         let mut drawn: Vec<Vector> = Vec::new();
         let frame = frame.map(arrows);
         for arrow in both.iter().chain(frame.iter().flatten()) {
@@ -145,8 +146,8 @@ pub(crate) fn world_before_the_camera(seen: &Seen<'_>) -> Option<Picture> {
     let points = [eye, eye + long * frame.u, eye + long * frame.v, eye + long * frame.w, Vec3::ZERO];
     let images = |m: Mat4| points.map(|p| view.at(m.project_point3(p))).to_vec();
     let origin_and_axes = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z].map(|p| view.at(1.5 * long * p));
-    let right = images(read(seen.right)?);
-    let m: Option<Mat4> = given(seen);
+    let right = images(seen.right_as()?);
+    let m: Option<Mat4> = seen.given_as();
     let around: Vec<Vec2> = right.iter().copied().chain(origin_and_axes).collect();
     let yours = m.map(images).and_then(|points| near(points, &around));
 
@@ -154,7 +155,7 @@ pub(crate) fn world_before_the_camera(seen: &Seen<'_>) -> Option<Picture> {
     let mut sheet = blank(SIZE);
     let titles = ["in camera coordinates", "yours"];
     for (k, (points, part)) in [Some(&right), yours.as_ref()].into_iter().zip(halves(SIZE)).enumerate() {
-        let panel = Panel::showing(&shown, part);
+        let panel = Panel::showing(&shown, part, MARGIN);
         heading(&mut sheet, part, titles[k]);
         let [origin, x, y, z] = origin_and_axes.map(|p| panel.at(p));
         let axis = |name, tip| Vector::new(name, tip, Ink::Faint).dashed();

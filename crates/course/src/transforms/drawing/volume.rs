@@ -5,10 +5,9 @@ use sheet::view::View;
 use sheet::{Ink, Letters, Sheet, Side};
 use vocabulary::ViewVolume;
 
-use super::{
-    NOT_SHOWN, Panel, RIGHT, YOURS, blank, finished, given, halves, heading, near, note, read, rows,
-};
+use super::{MARGIN, NOT_SHOWN, halves, heading, near, note, rows};
 use crate::exercise::{Picture, Seen};
+use crate::stage::{Panel, RIGHT, YOURS, blank, finished, read};
 
 const SIZE: Vec2 = vec2(760.0, 380.0);
 const TALL: Vec2 = vec2(760.0, 520.0);
@@ -29,8 +28,8 @@ pub(crate) fn box_from_pyramid(seen: &Seen<'_>) -> Option<Picture> {
         .flat_map(|share| RAYS.map(|ray| vec3(0.0, ray * n.abs(), n) * (1.0 + share * (f / n - 1.0))))
         .collect();
     let images = |m: Mat4| points.iter().map(|p| on_sheet(m.project_point3(*p))).collect::<Vec<_>>();
-    let right = images(read(seen.right)?);
-    let yours = given(seen).and_then(|m| near(images(m), &right));
+    let right = images(seen.right_as()?);
+    let yours = seen.given_as().and_then(|m| near(images(m), &right));
 
     let planes = [0.0, 1.0].map(|at| [vec2(at, -0.6), vec2(at, 0.6)]);
     let shown: Vec<Vec2> =
@@ -39,7 +38,7 @@ pub(crate) fn box_from_pyramid(seen: &Seen<'_>) -> Option<Picture> {
     let mut sheet = blank(TALL);
     let titles = ["five rays after P, from the side", "yours"];
     for (k, (grid, part)) in [Some(&right), yours.as_ref()].into_iter().zip(rows(TALL)).enumerate() {
-        let panel = Panel::showing(&shown, part);
+        let panel = Panel::showing(&shown, part, MARGIN);
         heading(&mut sheet, part, titles[k]);
         for ([low, high], name) in planes.iter().zip(["z = n", "z = f"]) {
             sheet.line(panel.at(*low), panel.at(*high), Ink::Faint.pen().dashed());
@@ -86,14 +85,14 @@ pub(crate) fn cube_from_pyramid(seen: &Seen<'_>) -> Option<Picture> {
     let far = volume.far / volume.near;
     let corners: Vec<Vec3> = face(volume).into_iter().chain(face(volume).map(|p| p * far)).collect();
     let images = |m: Mat4| corners.iter().map(|p| view.at(m.project_point3(*p))).collect::<Vec<_>>();
-    let right = images(read(seen.right)?);
-    let yours = given(seen).and_then(|m| near(images(m), &right));
+    let right = images(seen.right_as()?);
+    let yours = seen.given_as().and_then(|m| near(images(m), &right));
 
     let shown: Vec<Vec2> = right.iter().chain(yours.iter().flatten()).copied().collect();
     let mut sheet = blank(SIZE);
     let titles = ["the volume becomes the cube", "yours"];
     for (k, (corners, part)) in [Some(&right), yours.as_ref()].into_iter().zip(halves(SIZE)).enumerate() {
-        let panel = Panel::showing(&shown, part);
+        let panel = Panel::showing(&shown, part, MARGIN);
         heading(&mut sheet, part, titles[k]);
         wires(&mut sheet, &panel.all_at(&right), [Ink::Faint.pen().dashed(); 3]);
         let Some(corners) = corners else { continue };
