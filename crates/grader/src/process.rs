@@ -8,7 +8,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use course::{Answerer, Fault, Loss, Reply, Value};
-use worker::channel::{Channel, Offer};
+use worker::system::{self, Channel, Offer};
 use worker::wire::{self, Answer, Question, Ready};
 
 /// So much of what a student's code prints is kept, in bytes; of the rest only the amount.
@@ -108,10 +108,7 @@ impl Process {
         if let Some(mut running) = self.running.take() {
             // Nobody asks any more: an honest worker ends by itself and writes out what it still holds.
             let _ = running.channel.shutdown(std::net::Shutdown::Both);
-            let patience = Instant::now() + LAST_WORDS;
-            while Instant::now() < patience && matches!(running.child.try_wait(), Ok(None)) {
-                thread::sleep(Duration::from_micros(200));
-            }
+            wait(&mut running.child, LAST_WORDS);
             end(&mut running);
         }
         let [out, err] = &self.printed;
@@ -172,42 +169,81 @@ impl Process {
         Ok(running)
     }
 
-    /// Why the worker is gone, after its channel was closed or stood still.
-    fn loss(&mut self, mut running: Running, error: Option<io::Error>) -> Loss {
-        let stood_still = error
-            .as_ref()
-            .is_some_and(|e| matches!(e.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut));
-        if stood_still {
+    /// What became of the worker that fell silent.
+    fn loss(&self, mut running: Running, silence: &Silence) -> Loss {
+        if let Silence::Slow(limit) = silence {
             end(&mut running);
-            let whole = self.begun.elapsed() > self.limits.whole;
-            let limit = if whole { self.limits.whole } else { self.limits.time };
             return Loss::TimedOut(u64::try_from(limit.as_millis()).unwrap_or(u64::MAX));
         }
         // The channel is closed: the process is ending, or the student's code closed what is not its own.
-        let patience = Instant::now() + self.limits.time;
-        while Instant::now() < patience && matches!(running.child.try_wait(), Ok(None)) {
-            thread::sleep(Duration::from_micros(200));
-        }
+        wait(&mut running.child, self.limits.time);
         let status = end(&mut running);
         let words = String::from_utf8_lossy(&locked(&self.printed[1]).last).into_owned();
-        let strange = error.filter(|e| e.kind() == io::ErrorKind::InvalidData);
-        match (status, strange) {
-            _ if words.contains("has overflowed its stack") => Loss::StackOverflow,
-            _ if words.contains("memory allocation of") => Loss::OutOfMemory,
-            (_, Some(error)) if error.get_ref().is_some_and(|inner| inner.is::<TooLong>()) => {
-                Loss::Crashed(error.to_string())
-            }
-            (_, Some(error)) => Loss::Crashed(format!("it sent something that is no answer: {error}")),
-            (Some(status), None) => exited(status),
-            (None, None) => Loss::Crashed("it closed the channel of answers".to_owned()),
+        if words.contains("has overflowed its stack") {
+            return Loss::StackOverflow;
         }
+        if words.contains("memory allocation of") {
+            return Loss::OutOfMemory;
+        }
+        match (silence, status) {
+            (Silence::TooLong(bytes), _) => Loss::Crashed(format!("its answer would take {bytes} bytes")),
+            (Silence::Strange(error), _) => {
+                Loss::Crashed(format!("it sent something that is no answer: {error}"))
+            }
+            (_, Some(status)) => exited(status),
+            (_, None) => Loss::Crashed("it closed the channel of answers".to_owned()),
+        }
+    }
+
+    /// Whether all calls together have taken longer than they may.
+    fn is_over(&self) -> bool {
+        self.begun.elapsed() > self.limits.whole
+    }
+
+    /// Reads so many answers. What cannot be asked is the error of a reply.
+    fn read(
+        &self,
+        answers: &mut BufReader<Channel>,
+        count: usize,
+        replies: &mut Vec<Result<Reply, Fault>>,
+    ) -> Result<(), Silence> {
+        for _ in 0..count {
+            if self.is_over() {
+                return Err(Silence::Slow(self.limits.whole));
+            }
+            replies.push(match wire::receive::<Answer>(answers) {
+                Ok(Some(Answer::Value(value))) => Ok(Reply::Value(value)),
+                Ok(Some(Answer::Panicked(panic))) => Ok(Reply::Panicked(panic)),
+                Ok(Some(Answer::Misasked(what))) => Err(Fault(what)),
+                Ok(Some(Answer::TooLong(bytes))) => return Err(Silence::TooLong(bytes)),
+                Ok(None) => return Err(Silence::Closed),
+                Err(e) => {
+                    return Err(match e.kind() {
+                        io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut => {
+                            Silence::Slow(self.limits.time)
+                        }
+                        io::ErrorKind::InvalidData => Silence::Strange(e),
+                        _ => Silence::Closed,
+                    });
+                }
+            });
+        }
+        Ok(())
     }
 }
 
-/// An answer of so many bytes, more than a message can hold.
-#[derive(Debug, thiserror::Error)]
-#[error("its answer would take {0} bytes")]
-struct TooLong(usize);
+/// Why no further answer comes.
+#[derive(Debug)]
+enum Silence {
+    /// The worker is over this limit.
+    Slow(Duration),
+    /// Its answer would take so many bytes, more than a message can hold.
+    TooLong(usize),
+    /// It sent something else.
+    Strange(io::Error),
+    /// It closed the channel.
+    Closed,
+}
 
 impl Answerer for Process {
     fn ask(&mut self, questions: &[Vec<Value>]) -> Result<Vec<Reply>, Fault> {
@@ -218,8 +254,8 @@ impl Answerer for Process {
         let mut replies = Vec::with_capacity(questions.len());
         let mut asking =
             running.channel.try_clone().map_err(|e| Fault(format!("no channel to the worker: {e}")))?;
-        let (function, begun, whole) = (self.function, self.begun, self.limits.whole);
-        let ended: Result<(), Option<io::Error>> = thread::scope(|scope| {
+        let function = self.function;
+        let ended = thread::scope(|scope| {
             // Written by a thread of its own: with both ends full, each would wait for the other.
             scope.spawn(move || {
                 for arguments in questions {
@@ -230,36 +266,19 @@ impl Answerer for Process {
                     }
                 }
             });
-            for _ in questions {
-                if begun.elapsed() > whole {
-                    return stop(&running, Some(io::ErrorKind::TimedOut.into()));
-                }
-                match wire::receive::<Answer>(&mut running.answers) {
-                    Ok(Some(Answer::Value(value))) => replies.push(Ok(Reply::Value(value))),
-                    Ok(Some(Answer::Panicked(panic))) => replies.push(Ok(Reply::Panicked(panic))),
-                    Ok(Some(Answer::TooLong(bytes))) => {
-                        let long = io::Error::new(io::ErrorKind::InvalidData, TooLong(bytes));
-                        return stop(&running, Some(long));
-                    }
-                    Ok(Some(Answer::Misasked(what))) => replies.push(Err(Fault(what))),
-                    Ok(None) => return stop(&running, None),
-                    Err(e) => return stop(&running, Some(e)),
-                }
+            let ended = self.read(&mut running.answers, questions.len(), &mut replies);
+            if ended.is_err() {
+                // So that the thread that writes comes to an end.
+                let _ = running.channel.shutdown(std::net::Shutdown::Both);
             }
-            Ok(())
+            ended
         });
         match ended {
             Ok(()) => self.running = Some(running),
-            Err(error) => replies.push(Ok(Reply::Lost(self.loss(running, error)))),
+            Err(silence) => replies.push(Ok(Reply::Lost(self.loss(running, &silence)))),
         }
         replies.into_iter().collect()
     }
-}
-
-/// Closes the asking side, so that the thread that writes comes to an end.
-fn stop(running: &Running, error: Option<io::Error>) -> Result<(), Option<io::Error>> {
-    let _ = running.channel.shutdown(std::net::Shutdown::Both);
-    Err(error)
 }
 
 impl Drop for Process {
@@ -267,6 +286,14 @@ impl Drop for Process {
         if let Some(running) = &mut self.running {
             end(running);
         }
+    }
+}
+
+/// Waits for the end of a process, but no longer than this.
+fn wait(child: &mut Child, patience: Duration) {
+    let until = Instant::now() + patience;
+    while Instant::now() < until && matches!(child.try_wait(), Ok(None)) {
+        thread::sleep(Duration::from_micros(200));
     }
 }
 
@@ -283,18 +310,12 @@ fn end(running: &mut Running) -> Option<ExitStatus> {
     status
 }
 
-#[cfg(unix)]
 fn exited(status: ExitStatus) -> Loss {
-    use std::os::unix::process::ExitStatusExt;
-    match status.signal() {
-        Some(signal) => Loss::Crashed(format!("ended by signal {signal}")),
-        None => Loss::Exited(status.code().unwrap_or_default()),
+    match (system::signal(status), status.code()) {
+        (Some(signal), _) => Loss::Crashed(format!("ended by signal {signal}")),
+        (None, Some(code)) => Loss::Exited(code),
+        (None, None) => Loss::Crashed("ended".to_owned()),
     }
-}
-
-#[cfg(not(unix))]
-fn exited(status: ExitStatus) -> Loss {
-    status.code().map_or_else(|| Loss::Crashed("ended".to_owned()), Loss::Exited)
 }
 
 /// Reads all that is printed, so that printing never waits, and keeps the beginning.

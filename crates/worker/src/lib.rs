@@ -5,15 +5,15 @@
 //! - [`Plain`]: a type that can be a value; [`Parameter`]: one that can be an argument, slices too.
 //! - [`function!`](crate::function): makes a [`Function`] of values from a typed function.
 //! - [`wire`]: questions and answers as bytes.
-//! - [`serve`]: the worker's whole main function; [`channel`] is where it listens.
+//! - [`serve`]: the worker's whole main function; [`system`] is what differs from system to system.
 
 #![forbid(unsafe_code)]
 
-pub mod channel;
 mod function;
 mod plain;
 mod records;
 mod serve;
+pub mod system;
 mod value;
 pub mod wire;
 

@@ -6,8 +6,8 @@ use std::process::ExitCode;
 use std::sync::{Mutex, PoisonError};
 use std::thread::{self, ThreadId};
 
-use crate::channel;
 use crate::function::Function;
+use crate::system;
 use crate::wire::{self, Answer, Panic, Question, Ready};
 
 /// The first panic since the call began.
@@ -35,8 +35,11 @@ pub fn serve(functions: &[Function]) -> ExitCode {
 fn answer_all(functions: &[Function]) -> std::io::Result<()> {
     let mut arguments = std::env::args().skip(1);
     let address = arguments.next().unwrap_or_default();
-    limit_memory(arguments.next().and_then(|bytes| bytes.parse().ok()).unwrap_or(0))?;
-    let mut answers = channel::open(&address)?;
+    let memory = arguments.next().and_then(|bytes| bytes.parse().ok()).unwrap_or(0);
+    if memory > 0 {
+        system::limit_memory(memory)?;
+    }
+    let mut answers = system::open(&address)?;
     let mut questions = BufReader::new(answers.try_clone()?);
     panic::set_hook(Box::new(remember));
     // What fails before this is not the student's doing.
@@ -81,17 +84,4 @@ fn remember(info: &panic::PanicHookInfo<'_>) {
     let (file, line) = info.location().map_or((String::new(), 0), |at| (at.file().to_owned(), at.line()));
     let panic = Panic { message, file, line, elsewhere: false };
     PANIC.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert((panic, thread::current().id()));
-}
-
-#[cfg(unix)]
-fn limit_memory(bytes: u64) -> std::io::Result<()> {
-    if bytes > 0 && rlimit::Resource::AS.is_supported() {
-        rlimit::setrlimit(rlimit::Resource::AS, bytes, bytes)?;
-    }
-    Ok(())
-}
-
-#[cfg(not(unix))]
-fn limit_memory(_bytes: u64) -> std::io::Result<()> {
-    Ok(())
 }

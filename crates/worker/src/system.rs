@@ -1,14 +1,16 @@
-//! Where do questions come from, and where do answers go? Not to standard output: that belongs to the student's code.
+//! What differs between systems? Where questions come from, what a worker may take, how it ended. It is here and nowhere else in the worker and in
+//! whoever asks it.
 //!
-//! What differs between systems is here and nowhere else: on Unix a socket takes the place of the worker's standard input, elsewhere the worker
-//! connects to a loopback address.
+//! Questions and answers do not go over standard output: that belongs to the student's code. On Unix a socket takes the place of the worker's standard
+//! input, elsewhere the worker connects to a loopback address.
 
 #[cfg(unix)]
 mod here {
     use std::io;
     use std::os::fd::{AsFd, OwnedFd};
     use std::os::unix::net::UnixStream;
-    use std::process::Stdio;
+    use std::os::unix::process::ExitStatusExt;
+    use std::process::{ExitStatus, Stdio};
     use std::time::Instant;
 
     /// Both directions in one.
@@ -60,13 +62,29 @@ mod here {
     pub fn open(_address: &str) -> io::Result<Channel> {
         Ok(UnixStream::from(io::stdin().as_fd().try_clone_to_owned()?))
     }
+
+    /// From now on this process may take so many bytes of memory, where the system can say so.
+    ///
+    /// # Errors
+    /// What the system gives.
+    pub fn limit_memory(bytes: u64) -> io::Result<()> {
+        if rlimit::Resource::AS.is_supported() {
+            rlimit::setrlimit(rlimit::Resource::AS, bytes, bytes)?;
+        }
+        Ok(())
+    }
+
+    /// The signal that ended a process, if one did.
+    pub fn signal(status: ExitStatus) -> Option<i32> {
+        status.signal()
+    }
 }
 
 #[cfg(not(unix))]
 mod here {
     use std::io;
     use std::net::{Ipv4Addr, TcpListener, TcpStream};
-    use std::process::Stdio;
+    use std::process::{ExitStatus, Stdio};
     use std::thread;
     use std::time::{Duration, Instant};
 
@@ -137,6 +155,19 @@ mod here {
         channel.set_nodelay(true)?;
         Ok(channel)
     }
+
+    /// Such a limit is a thing of Unix.
+    ///
+    /// # Errors
+    /// None here.
+    pub fn limit_memory(_bytes: u64) -> io::Result<()> {
+        Ok(())
+    }
+
+    /// Signals are a thing of Unix: none.
+    pub fn signal(_status: ExitStatus) -> Option<i32> {
+        None
+    }
 }
 
-pub use here::{Channel, Offer, open};
+pub use here::{Channel, Offer, limit_memory, open, signal};
