@@ -25,6 +25,8 @@ mod shading;
 mod transforms;
 mod zbuffer;
 
+use std::sync::LazyLock;
+
 pub use answerer::{Answerer, Fault, InProcess, Loss, Reply, values};
 pub use concept::Concept;
 pub use exercise::{Calls, Example, Exercise, Misconception, Picture, Program, Seen, Signature, Title};
@@ -32,23 +34,26 @@ pub use law::{Asker, Broken, Law, Stop, Unbound, close, that};
 pub use testkit::fingerprint;
 pub use worker::{Plain, Value};
 
-/// The exercises, in the order in which they are best done.
-pub fn all() -> Vec<Exercise> {
-    [
-        transforms::exercises(),
-        zbuffer::exercises(),
-        lighting::exercises(),
-        shading::exercises(),
-        raytrace::exercises(),
-    ]
-    .into_iter()
-    .flatten()
-    .collect()
+/// The exercises, in the order in which they are best done; made once.
+pub fn all() -> &'static [Exercise] {
+    static ALL: LazyLock<Vec<Exercise>> = LazyLock::new(|| {
+        [
+            transforms::exercises(),
+            zbuffer::exercises(),
+            lighting::exercises(),
+            shading::exercises(),
+            raytrace::exercises(),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    });
+    &ALL
 }
 
 /// The exercise of this name.
-pub fn find(name: &str) -> Option<Exercise> {
-    all().into_iter().find(|exercise| exercise.name == name)
+pub fn find(name: &str) -> Option<&'static Exercise> {
+    all().iter().find(|exercise| exercise.name == name)
 }
 
 #[cfg(doctest)]

@@ -70,15 +70,15 @@ fn every_drawing_stands_for_every_misconception_and_for_damaged_answers() {
         for misconception in &exercise.misconceptions {
             let wrong = InProcess(misconception.program.function);
             let examination =
-                examine(&exercise, 1, &mut wrong.clone()).unwrap_or_else(|fault| panic!("{fault}"));
+                examine(exercise, 1, &mut wrong.clone()).unwrap_or_else(|fault| panic!("{fault}"));
             let who = format!("{} by {}", exercise.name, misconception.program.name);
-            if let Some(picture) = drawn(&exercise, wrong, &examination, Value::clone) {
+            if let Some(picture) = drawn(exercise, wrong, &examination, Value::clone) {
                 assert_sound(&picture, &who);
             }
             for strange in STRANGE {
                 for at in 0..16 {
                     let damage = |value: &Value| with_number(value, at, strange);
-                    if let Some(picture) = drawn(&exercise, wrong, &examination, damage) {
+                    if let Some(picture) = drawn(exercise, wrong, &examination, damage) {
                         assert_sound(&picture, &format!("{who}, {strange} at {at}"));
                     }
                 }

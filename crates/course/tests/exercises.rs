@@ -133,7 +133,7 @@ fn every_law_catches_a_misconception() {
     for exercise in course::all() {
         for law in &exercise.laws {
             let caught = exercise.misconceptions.iter().any(|misconception| {
-                let examination = trial(&exercise, &misconception.program, 1);
+                let examination = trial(exercise, &misconception.program, 1);
                 let tried = examination.laws.iter().find(|tried| tried.name == law.name());
                 tried.is_some_and(|tried| matches!(tried.outcome, Outcome::Failed(_)))
             });
@@ -145,7 +145,7 @@ fn every_law_catches_a_misconception() {
 #[test]
 fn the_same_seed_gives_the_same_trial_and_another_one_other_inputs() {
     for exercise in course::all() {
-        let asked = |seed| trial(&exercise, &exercise.reference, seed).answered;
+        let asked = |seed| trial(exercise, &exercise.reference, seed).answered;
         assert_eq!(format!("{:?}", asked(7)), format!("{:?}", asked(7)), "{}", exercise.name);
         assert_ne!(format!("{:?}", asked(7)), format!("{:?}", asked(8)), "{}", exercise.name);
     }

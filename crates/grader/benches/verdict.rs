@@ -31,7 +31,7 @@ fn verdicts(criterion: &mut Criterion) {
             let file = folder.path().join(format!("{name}.rs"));
             group.bench_function(what, |bencher| {
                 fs::write(&file, &source).expect("written");
-                bencher.iter(|| judge.judge(&exercise, &file, 1));
+                bencher.iter(|| judge.judge(exercise, &file, 1));
             });
         }
     }

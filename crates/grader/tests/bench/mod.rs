@@ -62,11 +62,11 @@ impl Bench {
     }
 
     pub(crate) fn judge_with(&self, source: &[u8], seed: u64) -> Judgement {
-        self.judge_exercise(&course::find("rotate_about_point").expect("the exercise"), source, seed)
+        self.judge_exercise(course::find("rotate_about_point").expect("the exercise"), source, seed)
     }
 
     pub(crate) fn judge_path(&self, file: &Path) -> Judgement {
-        self.judge.judge(&course::find("rotate_about_point").expect("the exercise"), file, 1)
+        self.judge.judge(course::find("rotate_about_point").expect("the exercise"), file, 1)
     }
 
     pub(crate) fn judge_exercise(&self, exercise: &Exercise, source: &[u8], seed: u64) -> Judgement {

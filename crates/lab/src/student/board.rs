@@ -15,7 +15,7 @@ use crate::speech::say;
 #[derive(Debug)]
 pub(crate) struct Row {
     /// The exercise.
-    pub(crate) exercise: Exercise,
+    pub(crate) exercise: &'static Exercise,
     /// The outcome's word.
     pub(crate) outcome: String,
     /// The points.
@@ -53,32 +53,27 @@ pub(crate) fn run(asked: &BoardArgs) -> Result<Outcome, Failure> {
 /// # Errors
 /// [`Failure`] if nobody can judge here.
 pub(crate) fn rows(bench: &Workbench) -> Result<Vec<Row>, Failure> {
+    let all = which::all(bench);
     let memory = bench.memory();
-    let (known, changed): (Vec<Meant>, Vec<Meant>) = which::all(bench).into_iter().partition(|meant| {
-        is_untouched(&meant.exercise, &meant.file) || memory.standing(&meant.exercise, &meant.file).is_some()
-    });
+    let is_known = |Meant { exercise, file }: &Meant| {
+        is_untouched(exercise, file) || memory.standing(exercise, file).is_some()
+    };
+    let changed: Vec<Meant> = all.iter().filter(|meant| !is_known(meant)).cloned().collect();
     if !changed.is_empty() {
         let judge = bench.judge(None)?;
         judge_all(bench, &judge, &changed, SEED, false);
     }
     let memory = bench.memory();
-    let order: Vec<&str> = course::all().iter().map(|exercise| exercise.name).collect();
-    let mut rows: Vec<Row> = known
-        .into_iter()
-        .chain(changed)
-        .map(|Meant { exercise, file }| {
-            let standing =
-                if is_untouched(&exercise, &file) { None } else { memory.standing(&exercise, &file) };
-            let (outcome, points) = match standing {
-                Some(standing) => (standing.outcome, standing.points),
-                None if file.is_file() => (grader::Outcome::NotStarted.word().to_owned(), 0),
-                None => ("missing".to_owned(), 0),
-            };
-            Row { exercise, outcome, points }
-        })
-        .collect();
-    rows.sort_by_key(|row| order.iter().position(|name| *name == row.exercise.name));
-    Ok(rows)
+    let row = |Meant { exercise, file }| {
+        let standing = if is_untouched(exercise, &file) { None } else { memory.standing(exercise, &file) };
+        let (outcome, points) = match standing {
+            Some(standing) => (standing.outcome, standing.points),
+            None if file.is_file() => (grader::Outcome::NotStarted.word().to_owned(), 0),
+            None => ("missing".to_owned(), 0),
+        };
+        Row { exercise, outcome, points }
+    };
+    Ok(all.into_iter().map(row).collect())
 }
 
 /// What to do next: what was begun first, then the first whose prerequisites have passed.
@@ -152,7 +147,7 @@ fn record(bench: &Workbench, rows: &[Row]) -> serde_json::Value {
             "concept": row.exercise.concept.name(),
             "title": { "en": row.exercise.title.english, "nl": row.exercise.title.dutch },
             "items": row.exercise.items,
-            "file": bench.file(&row.exercise).display().to_string(),
+            "file": bench.file(row.exercise).display().to_string(),
             "outcome": row.outcome,
             "points": row.points,
             "of": row.exercise.points(),

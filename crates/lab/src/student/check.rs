@@ -42,7 +42,7 @@ fn chosen(bench: &Workbench, asked: &CheckArgs) -> Result<(Vec<Meant>, u64), Fai
         return Ok((which::all(bench), seed));
     }
     if asked.names.is_empty() {
-        let begun = which::all(bench).into_iter().filter(|meant| !is_untouched(&meant.exercise, &meant.file));
+        let begun = which::all(bench).into_iter().filter(|meant| !is_untouched(meant.exercise, &meant.file));
         return Ok((begun.collect(), seed));
     }
     Ok((which::meant(bench, &asked.names)?, seed))
@@ -51,19 +51,19 @@ fn chosen(bench: &Workbench, asked: &CheckArgs) -> Result<(Vec<Meant>, u64), Fai
 /// The exercise of a token, by the student's file or the one that is named beside it.
 fn of_token(bench: &Workbench, token: &Token, names: &[String]) -> Result<(Vec<Meant>, u64), Failure> {
     let exercise = which::one(bench, &token.exercise)?;
-    if token.version != version(&exercise) {
+    if token.version != version(exercise) {
         return Err(Failure::new(
             format!(
                 "the token is of version {:08x} of {}, this is {:08x}",
                 token.version,
                 exercise.name,
-                version(&exercise)
+                version(exercise)
             ),
             "check with the version of the project that made the token, or without it",
         ));
     }
     let file = match names {
-        [] => bench.file(&exercise),
+        [] => bench.file(exercise),
         names => {
             let others = which::meant(bench, names)?;
             match others.into_iter().find(|other| other.exercise.name == exercise.name) {
@@ -103,7 +103,7 @@ pub(crate) fn judge_all(
     let passed = |name: &str| match meant.iter().position(|other| other.exercise.name == name) {
         Some(at) => judgements[at].passed(),
         None => course::find(name).is_some_and(|exercise| {
-            let standing = memory.standing(&exercise, &bench.file(&exercise));
+            let standing = memory.standing(exercise, &bench.file(exercise));
             standing.is_some_and(|standing| standing.outcome == grader::Outcome::Passed.word())
         }),
     };

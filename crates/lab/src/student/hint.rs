@@ -19,7 +19,7 @@ pub(crate) fn run(asked: &HintArgs) -> Result<Outcome, Failure> {
     let exercise = which::one(&bench, &asked.name)?;
     let level = match asked.level {
         Some(level) => level,
-        None => next_level(&bench, &exercise),
+        None => next_level(&bench, exercise),
     };
     let hint = exercise.hints[level - 1];
     if asked.json {
@@ -27,7 +27,7 @@ pub(crate) fn run(asked: &HintArgs) -> Result<Outcome, Failure> {
             json!({ "exercise": exercise.name, "level": level, "of": exercise.hints.len(), "hint": hint });
         say(&format!("{record:#}"))?;
     } else {
-        say(&text(&exercise, level))?;
+        say(&text(exercise, level))?;
     }
     Ok(Outcome::Done)
 }

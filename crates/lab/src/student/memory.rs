@@ -140,9 +140,9 @@ mod tests {
         let path = folder.path().join("deep/board.json");
         let exercise = course::find("rotate_about_point").unwrap();
         let mut memory = Memory::read(&path);
-        memory.note_hints(&exercise, 2);
+        memory.note_hints(exercise, 2);
         memory.write();
         assert_eq!(Memory::read(&path).entries, memory.entries);
-        assert_eq!(Memory::read(&path).hints(&exercise), 2);
+        assert_eq!(Memory::read(&path).hints(exercise), 2);
     }
 }

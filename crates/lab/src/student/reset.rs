@@ -21,8 +21,8 @@ pub(crate) fn run(asked: &ResetArgs) -> Result<Outcome, Failure> {
     let bench = Workbench::find()?;
     let mut done = Vec::new();
     for Meant { exercise, .. } in which::meant(&bench, &asked.names)? {
-        let file = bench.file(&exercise);
-        let backup = if is_untouched(&exercise, &file) { None } else { keep(&file)? };
+        let file = bench.file(exercise);
+        let backup = if is_untouched(exercise, &file) { None } else { keep(&file)? };
         write(&file, exercise.stub)?;
         done.push((exercise.name, file, backup));
     }

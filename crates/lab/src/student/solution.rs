@@ -17,7 +17,7 @@ use crate::speech::say;
 pub(crate) fn run(asked: &SolutionArgs) -> Result<Outcome, Failure> {
     let bench = Workbench::find()?;
     let exercise = which::one(&bench, &asked.name)?;
-    if !asked.reveal && !has_passed(&bench, &exercise)? {
+    if !asked.reveal && !has_passed(&bench, exercise)? {
         return Err(Failure::new(
             format!("{} has not passed yet", exercise.name),
             format!(

@@ -60,13 +60,13 @@ pub(crate) fn run(asked: &WatchArgs) -> Result<Outcome, Failure> {
 }
 
 /// The exercise that is named, or the next one to do.
-fn first(bench: &Workbench, name: Option<&str>) -> Result<Exercise, Failure> {
+fn first(bench: &Workbench, name: Option<&str>) -> Result<&'static Exercise, Failure> {
     if let Some(name) = name {
         return which::one(bench, name);
     }
     let rows = board::rows(bench)?;
-    let name = board::next(&rows).or(rows.first()).map(|row| row.exercise.name);
-    name.and_then(course::find).ok_or_else(|| {
+    let row = board::next(&rows).or(rows.first());
+    row.map(|row| row.exercise).ok_or_else(|| {
         Failure::new("there are no exercises", "this is a mistake of the project's: report it")
     })
 }
@@ -74,7 +74,7 @@ fn first(bench: &Workbench, name: Option<&str>) -> Result<Exercise, Failure> {
 struct Watch {
     bench: Workbench,
     judge: Judge,
-    exercise: Exercise,
+    exercise: &'static Exercise,
     json: bool,
     keys: bool,
     /// The bytes that were judged last.
@@ -120,27 +120,27 @@ impl Watch {
         Ok(())
     }
 
-    fn exercise_of(&self, path: &Path) -> Option<Exercise> {
+    fn exercise_of(&self, path: &Path) -> Option<&'static Exercise> {
         let name = path.file_stem()?.to_str()?;
         let exercise = course::find(name)?;
-        let own = self.bench.file(&exercise);
+        let own = self.bench.file(exercise);
         let same = own == path || std::fs::canonicalize(&own).ok()? == std::fs::canonicalize(path).ok()?;
         same.then_some(exercise)
     }
 
     fn file(&self) -> PathBuf {
-        self.bench.file(&self.exercise)
+        self.bench.file(self.exercise)
     }
 
     fn judge(&mut self) -> Result<(), Failure> {
         let file = self.file();
         self.last = bytes_of(&file);
         self.busy()?;
-        let judgement = self.bench.judge_file(&self.judge, &self.exercise, &file);
+        let judgement = self.bench.judge_file(&self.judge, self.exercise, &file);
         self.picture = self.bench.draw(&judgement);
         self.verdict(&judgement)?;
         let mut memory = self.bench.memory();
-        memory.note(&self.exercise, &file, &judgement);
+        memory.note(self.exercise, &file, &judgement);
         memory.write();
         Ok(())
     }
@@ -159,7 +159,7 @@ impl Watch {
         let picture = self.picture.as_ref().map(|path| self.bench.shown(path));
         self.clear()?;
         let file = self.bench.shown(&self.file());
-        let mut text = verdict::text(judgement, &self.exercise, picture.as_deref(), &file);
+        let mut text = verdict::text(judgement, self.exercise, picture.as_deref(), &file);
         let rows = if self.keys {
             crossterm::terminal::size().map_or(24, |(_, rows)| usize::from(rows))
         } else {
@@ -169,7 +169,7 @@ impl Watch {
         if !fits(&text) {
             // The picture is in a file, too.
             let without = Judgement { picture: None, ..judgement.clone() };
-            text = verdict::text(&without, &self.exercise, picture.as_deref(), &file);
+            text = verdict::text(&without, self.exercise, picture.as_deref(), &file);
         }
         self.show(&text)?;
         if !fits(&text) {
@@ -185,9 +185,9 @@ impl Watch {
     fn key(&mut self, key: char) -> Result<(), Failure> {
         match key {
             'h' => {
-                let level = hint::next_level(&self.bench, &self.exercise);
+                let level = hint::next_level(&self.bench, self.exercise);
                 self.clear()?;
-                self.show(&hint::text(&self.exercise, level))?;
+                self.show(&hint::text(self.exercise, level))?;
                 self.footer()
             }
             'n' => {
@@ -196,8 +196,8 @@ impl Watch {
                 // After this one, around the end: the next that has not passed.
                 let next =
                     (1..rows.len()).map(|step| &rows[(other + step) % rows.len()]).find(|row| !row.passed());
-                if let Some(exercise) = next.and_then(|row| course::find(row.exercise.name)) {
-                    self.exercise = exercise;
+                if let Some(row) = next {
+                    self.exercise = row.exercise;
                 }
                 self.judge()
             }

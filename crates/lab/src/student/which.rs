@@ -8,10 +8,10 @@ use super::workbench::Workbench;
 use crate::failure::Failure;
 
 /// An exercise and the file to judge it by.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Meant {
     /// The exercise.
-    pub(crate) exercise: Exercise,
+    pub(crate) exercise: &'static Exercise,
     /// Its file: the student's own, or one from elsewhere that was named.
     pub(crate) file: PathBuf,
 }
@@ -24,37 +24,30 @@ pub(crate) fn meant(bench: &Workbench, words: &[String]) -> Result<Vec<Meant>, F
     let mut chosen: Vec<(usize, PathBuf)> = Vec::new();
     let exercises = course::all();
     for word in words {
-        for (at, file) in of_word(bench, &exercises, word, Prefer::Concept)? {
+        for (at, file) in of_word(bench, exercises, word, Prefer::Concept)? {
             if chosen.iter().all(|other| *other != (at, file.clone())) {
                 chosen.push((at, file));
             }
         }
     }
     chosen.sort_by_key(|(at, _)| *at);
-    let mut exercises: Vec<Option<Exercise>> = exercises.into_iter().map(Some).collect();
-    Ok(chosen
-        .into_iter()
-        .filter_map(|(at, file)| {
-            let exercise = exercises[at].take().or_else(|| course::all().into_iter().nth(at))?;
-            Some(Meant { exercise, file })
-        })
-        .collect())
+    Ok(chosen.into_iter().map(|(at, file)| Meant { exercise: &exercises[at], file }).collect())
 }
 
 /// All exercises, each with the student's own file.
 pub(crate) fn all(bench: &Workbench) -> Vec<Meant> {
-    course::all().into_iter().map(|exercise| Meant { file: bench.file(&exercise), exercise }).collect()
+    course::all().iter().map(|exercise| Meant { file: bench.file(exercise), exercise }).collect()
 }
 
 /// The one exercise of this name; concepts and files from elsewhere are not meant here.
 ///
 /// # Errors
 /// [`Failure`] if there is none, with the nearest that there is.
-pub(crate) fn one(bench: &Workbench, word: &str) -> Result<Exercise, Failure> {
+pub(crate) fn one(bench: &Workbench, word: &str) -> Result<&'static Exercise, Failure> {
     let exercises = course::all();
-    let places = of_word(bench, &exercises, word, Prefer::Exercise)?;
+    let places = of_word(bench, exercises, word, Prefer::Exercise)?;
     match places.as_slice() {
-        [(at, _)] => exercises.into_iter().nth(*at).ok_or_else(|| unknown(word)),
+        [(at, _)] => Ok(&exercises[*at]),
         _ => Err(Failure::new(
             format!("{word} is a concept with {} exercises", places.len()),
             "give the name of one exercise; `cargo lab` lists them",
@@ -136,7 +129,7 @@ fn unknown(word: &str) -> Failure {
 
 /// The name that is nearest to what was typed.
 fn nearest(word: &str) -> String {
-    let names = course::all().into_iter().map(|exercise| exercise.name);
+    let names = course::all().iter().map(|exercise| exercise.name);
     let names: Vec<&str> = names.chain(Concept::ALL.map(Concept::name)).collect();
     let word = word.to_lowercase().replace(['-', ' '], "_");
     // What was typed may be the beginning or a part of the name; letters in another order cost as much as one that is wrong.

@@ -110,16 +110,16 @@ impl Workbench {
     /// Judges files; of one in which nothing has been done, says so at once.
     pub(crate) fn judge_files(&self, judge: &Judge, meant: &[Meant], seed: u64) -> Vec<Judgement> {
         let touched: Vec<&Meant> =
-            meant.iter().filter(|meant| !is_untouched(&meant.exercise, &meant.file)).collect();
+            meant.iter().filter(|meant| !is_untouched(meant.exercise, &meant.file)).collect();
         let files: Vec<(&Exercise, &Path)> =
-            touched.iter().map(|meant| (&meant.exercise, meant.file.as_path())).collect();
+            touched.iter().map(|meant| (meant.exercise, meant.file.as_path())).collect();
         let mut judgements = judge.judge_all(&files, seed).into_iter();
         meant
             .iter()
             .map(|meant| {
                 let touched = touched.iter().any(|other| std::ptr::eq(*other, meant));
                 let judged = if touched { judgements.next() } else { None };
-                judged.unwrap_or_else(|| Judgement::not_started(&meant.exercise, seed))
+                judged.unwrap_or_else(|| Judgement::not_started(meant.exercise, seed))
             })
             .collect()
     }

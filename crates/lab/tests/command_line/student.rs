@@ -179,7 +179,7 @@ fn a_token_repeats_a_verdict_to_the_byte() {
 fn with_order_an_exercise_waits_for_those_before_it() {
     let student = Student::new();
     let (before, after) = course::all()
-        .into_iter()
+        .iter()
         .find_map(|exercise| exercise.prerequisites.first().map(|before| (*before, exercise.name)))
         .expect("an exercise with a prerequisite");
     let (_, json) = student.json(&format!("check {after} --in-order --json"));
