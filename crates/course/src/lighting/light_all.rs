@@ -327,130 +327,81 @@ fn misconceptions() -> Vec<Misconception> {
     ]
 }
 
+// Each of the wrong programs differs from the slide's in one place. What they have in common stands here once, so that the place is seen.
+
+/// The direction to a light, and what arrives from it.
+fn arriving(light: &Light, at: SurfacePoint) -> (Vec3, Vec3) {
+    match *light {
+        Light::Point { position, colour } => ((position - at.position).normalize(), colour),
+        Light::Directional { to_light, colour } => (to_light, colour),
+    }
+}
+
+/// What the surface sends to the eye of that.
+fn lit(material: Material, at: SurfacePoint, (to_light, c_l): (Vec3, Vec3)) -> Vec3 {
+    let facing = at.n.dot(to_light).max(0.0);
+    let r = 2.0 * facing * at.n - to_light;
+    let highlight = if facing > 0.0 { at.to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
+    c_l * (material.diffuse * facing + highlight)
+}
+
 fn ambient_light_for_each(material: Material, c_a: Vec3, lights: &[Light], at: SurfacePoint) -> Vec3 {
-    let lit = |light: &Light| {
-        let (to_light, c_l) = match *light {
-            Light::Point { position, colour } => ((position - at.position).normalize(), colour),
-            Light::Directional { to_light, colour } => (to_light, colour),
-        };
-        let facing = at.n.dot(to_light).max(0.0);
-        let r = 2.0 * facing * at.n - to_light;
-        let highlight = if facing > 0.0 { at.to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
-        c_l * (material.diffuse * facing + highlight)
-    };
-    lights.iter().map(|light| material.diffuse * c_a + lit(light)).sum()
+    lights.iter().map(|light| material.diffuse * c_a + lit(material, at, arriving(light, at))).sum()
 }
 
 fn sum_clamped(material: Material, c_a: Vec3, lights: &[Light], at: SurfacePoint) -> Vec3 {
-    let lit = |light: &Light| {
-        let (to_light, c_l) = match *light {
-            Light::Point { position, colour } => ((position - at.position).normalize(), colour),
-            Light::Directional { to_light, colour } => (to_light, colour),
-        };
-        let facing = at.n.dot(to_light).max(0.0);
-        let r = 2.0 * facing * at.n - to_light;
-        let highlight = if facing > 0.0 { at.to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
-        c_l * (material.diffuse * facing + highlight)
-    };
-    (material.diffuse * c_a + lights.iter().map(lit).sum::<Vec3>()).min(Vec3::ONE)
+    let sum: Vec3 = lights.iter().map(|light| lit(material, at, arriving(light, at))).sum();
+    (material.diffuse * c_a + sum).min(Vec3::ONE)
 }
 
 fn each_clamped(material: Material, c_a: Vec3, lights: &[Light], at: SurfacePoint) -> Vec3 {
-    let lit = |light: &Light| {
-        let (to_light, c_l) = match *light {
-            Light::Point { position, colour } => ((position - at.position).normalize(), colour),
-            Light::Directional { to_light, colour } => (to_light, colour),
-        };
-        let facing = at.n.dot(to_light).max(0.0);
-        let r = 2.0 * facing * at.n - to_light;
-        let highlight = if facing > 0.0 { at.to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
-        c_l * (material.diffuse * facing + highlight)
-    };
-    material.diffuse * c_a + lights.iter().map(|light| lit(light).min(Vec3::ONE)).sum::<Vec3>()
+    let sum: Vec3 = lights.iter().map(|light| lit(material, at, arriving(light, at)).min(Vec3::ONE)).sum();
+    material.diffuse * c_a + sum
 }
 
 fn the_average(material: Material, c_a: Vec3, lights: &[Light], at: SurfacePoint) -> Vec3 {
-    let lit = |light: &Light| {
-        let (to_light, c_l) = match *light {
-            Light::Point { position, colour } => ((position - at.position).normalize(), colour),
-            Light::Directional { to_light, colour } => (to_light, colour),
-        };
-        let facing = at.n.dot(to_light).max(0.0);
-        let r = 2.0 * facing * at.n - to_light;
-        let highlight = if facing > 0.0 { at.to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
-        c_l * (material.diffuse * facing + highlight)
-    };
-    material.diffuse * c_a + lights.iter().map(lit).sum::<Vec3>() / lights.len().max(1) as f32
+    let sum: Vec3 = lights.iter().map(|light| lit(material, at, arriving(light, at))).sum();
+    material.diffuse * c_a + sum / lights.len().max(1) as f32
 }
 
 fn the_last_one(material: Material, c_a: Vec3, lights: &[Light], at: SurfacePoint) -> Vec3 {
-    let lit = |light: &Light| {
-        let (to_light, c_l) = match *light {
-            Light::Point { position, colour } => ((position - at.position).normalize(), colour),
-            Light::Directional { to_light, colour } => (to_light, colour),
-        };
-        let facing = at.n.dot(to_light).max(0.0);
-        let r = 2.0 * facing * at.n - to_light;
-        let highlight = if facing > 0.0 { at.to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
-        c_l * (material.diffuse * facing + highlight)
-    };
-    material.diffuse * c_a + lights.last().map_or(Vec3::ZERO, lit)
+    let last = lights.last().map(|light| lit(material, at, arriving(light, at)));
+    material.diffuse * c_a + last.unwrap_or(Vec3::ZERO)
 }
 
 fn position_as_direction(material: Material, c_a: Vec3, lights: &[Light], at: SurfacePoint) -> Vec3 {
-    let lit = |light: &Light| {
-        let (to_light, c_l) = match *light {
-            Light::Point { position, colour } => (position.normalize(), colour),
-            Light::Directional { to_light, colour } => (to_light, colour),
-        };
-        let facing = at.n.dot(to_light).max(0.0);
-        let r = 2.0 * facing * at.n - to_light;
-        let highlight = if facing > 0.0 { at.to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
-        c_l * (material.diffuse * facing + highlight)
+    let wrong = |light: &Light| match *light {
+        Light::Point { position, colour } => (position.normalize(), colour),
+        Light::Directional { .. } => arriving(light, at),
     };
-    material.diffuse * c_a + lights.iter().map(lit).sum::<Vec3>()
+    let sum: Vec3 = lights.iter().map(|light| lit(material, at, wrong(light))).sum();
+    material.diffuse * c_a + sum
 }
 
 fn direction_not_of_unit_length(material: Material, c_a: Vec3, lights: &[Light], at: SurfacePoint) -> Vec3 {
-    let mut c = material.diffuse * c_a;
-    for light in lights {
-        let (to_light, c_l) = match *light {
-            Light::Point { position, colour } => (position - at.position, colour),
-            Light::Directional { to_light, colour } => (to_light, colour),
-        };
-        let facing = at.n.dot(to_light);
-        if facing > 0.0 {
-            let r = 2.0 * facing * at.n - to_light;
-            c += c_l * (material.diffuse * facing + at.to_eye.dot(r).max(0.0).powf(material.exponent));
-        }
-    }
-    c
+    let wrong = |light: &Light| match *light {
+        Light::Point { position, colour } => (position - at.position, colour),
+        Light::Directional { .. } => arriving(light, at),
+    };
+    lights.iter().fold(material.diffuse * c_a, |sum, light| sum + lit(material, at, wrong(light)))
 }
 
 fn weaker_with_distance(material: Material, c_a: Vec3, lights: &[Light], at: SurfacePoint) -> Vec3 {
-    let lit = |light: &Light| {
-        let (to_light, c_l) = match *light {
-            Light::Point { position, colour } => {
-                let way = position - at.position;
-                (way.normalize(), colour / way.length_squared())
-            }
-            Light::Directional { to_light, colour } => (to_light, colour),
-        };
-        let facing = at.n.dot(to_light).max(0.0);
-        let r = 2.0 * facing * at.n - to_light;
-        let highlight = if facing > 0.0 { at.to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
-        c_l * (material.diffuse * facing + highlight)
+    let wrong = |light: &Light| match *light {
+        Light::Point { position, colour } => {
+            let way = position - at.position;
+            (way.normalize(), colour / way.length_squared())
+        }
+        Light::Directional { .. } => arriving(light, at),
     };
-    material.diffuse * c_a + lights.iter().map(lit).sum::<Vec3>()
+    let sum: Vec3 = lights.iter().map(|light| lit(material, at, wrong(light))).sum();
+    material.diffuse * c_a + sum
 }
 
 fn without_the_gate(material: Material, c_a: Vec3, lights: &[Light], at: SurfacePoint) -> Vec3 {
     let mut c = material.diffuse * c_a;
     for light in lights {
-        let (to_light, c_l) = match *light {
-            Light::Point { position, colour } => ((position - at.position).normalize(), colour),
-            Light::Directional { to_light, colour } => (to_light, colour),
-        };
+        let (to_light, c_l) = arriving(light, at);
         let facing = at.n.dot(to_light);
         let r = 2.0 * facing * at.n - to_light;
         c += c_l * (material.diffuse * facing.max(0.0) + at.to_eye.dot(r).max(0.0).powf(material.exponent));

@@ -432,80 +432,79 @@ fn misconceptions() -> Vec<Misconception> {
     ]
 }
 
-fn without_shadows(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, background: Vec3) -> Vec3 {
-    let crossings = |ray: Ray, ball: &Ball| {
-        let f = ray.origin - ball.sphere.center;
-        let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
-        let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
-        [(-b - root) / a, (-b + root) / a]
-    };
-    let hits =
-        balls.iter().filter_map(|ball| Some((ball, crossings(ray, ball).into_iter().find(|t| *t > 0.0)?)));
-    let Some((ball, t)) = hits.min_by(|(_, s), (_, t)| s.total_cmp(t)) else {
-        return background;
-    };
-    let p = ray.origin + t * ray.direction;
+// Each of the wrong programs differs from the slide's in one place. What they have in common stands here once, so that the place is seen.
+
+/// The two t, smaller first; NaN, which lies in no interval, where the ray passes by.
+fn both_t(ray: Ray, ball: &Ball) -> [f32; 2] {
+    let f = ray.origin - ball.sphere.center;
+    let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
+    let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
+    [(-b - root) / a, (-b + root) / a]
+}
+
+/// The balls that the ray hits, in the order of the list, with the point.
+fn hits(ray: Ray, balls: &[Ball]) -> impl Iterator<Item = (f32, Ball, Vec3)> {
+    balls.iter().filter_map(move |ball| {
+        let t = both_t(ray, ball).into_iter().find(|t| *t > 0.0)?;
+        Some((t, *ball, ray.origin + t * ray.direction))
+    })
+}
+
+/// The nearest of them.
+fn seen_ball(ray: Ray, balls: &[Ball]) -> Option<(Ball, Vec3)> {
+    hits(ray, balls).min_by(|(s, ..), (t, ..)| s.total_cmp(t)).map(|(_, ball, p)| (ball, p))
+}
+
+/// Whether a ball stands between p and the lamp.
+fn is_dark(p: Vec3, balls: &[Ball], lamp: Lamp) -> bool {
+    let shadow_ray = Ray { origin: p, direction: lamp.position - p };
+    balls.iter().any(|ball| both_t(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0))
+}
+
+/// n, to_light and to_eye at p.
+fn directions(ray: Ray, ball: Ball, p: Vec3, lamp: Lamp) -> [Vec3; 3] {
     let n = (p - ball.sphere.center) / ball.sphere.radius;
-    let to_light = (lamp.position - p).normalize();
-    let to_eye = -ray.direction.normalize();
+    [n, (lamp.position - p).normalize(), -ray.direction.normalize()]
+}
+
+/// What the surface scatters of the lamp's light.
+fn scattered(ball: Ball, lamp: Lamp, [n, to_light, _]: [Vec3; 3]) -> Vec3 {
+    ball.colour * lamp.colour * n.dot(to_light).max(0.0)
+}
+
+/// What it mirrors of it.
+fn mirrored(ball: Ball, lamp: Lamp, [n, to_light, to_eye]: [Vec3; 3]) -> Vec3 {
     let h = (to_eye + to_light).normalize();
-    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
-    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
-    ball.colour * ambient + diffuse + highlight
+    lamp.colour * h.dot(n).max(0.0).powf(ball.exponent)
+}
+
+/// The colour of p: ambient light, and where the lamp reaches it, the lamp's.
+fn lit(at: (Ball, Vec3), balls: &[Ball], lamp: Lamp, ambient: Vec3, directions: [Vec3; 3]) -> Vec3 {
+    let (ball, p) = at;
+    let dark = ball.colour * ambient;
+    if is_dark(p, balls, lamp) {
+        return dark;
+    }
+    dark + scattered(ball, lamp, directions) + mirrored(ball, lamp, directions)
+}
+
+fn without_shadows(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, background: Vec3) -> Vec3 {
+    let Some((ball, p)) = seen_ball(ray, balls) else { return background };
+    let directions = directions(ray, ball, p, lamp);
+    ball.colour * ambient + scattered(ball, lamp, directions) + mirrored(ball, lamp, directions)
 }
 
 fn black_shadows(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, background: Vec3) -> Vec3 {
-    let crossings = |ray: Ray, ball: &Ball| {
-        let f = ray.origin - ball.sphere.center;
-        let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
-        let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
-        [(-b - root) / a, (-b + root) / a]
-    };
-    let hits =
-        balls.iter().filter_map(|ball| Some((ball, crossings(ray, ball).into_iter().find(|t| *t > 0.0)?)));
-    let Some((ball, t)) = hits.min_by(|(_, s), (_, t)| s.total_cmp(t)) else {
-        return background;
-    };
-    let p = ray.origin + t * ray.direction;
-    let shadow_ray = Ray { origin: p, direction: lamp.position - p };
-    let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
-    if dark {
+    let Some((ball, p)) = seen_ball(ray, balls) else { return background };
+    if is_dark(p, balls, lamp) {
         return Vec3::ZERO;
     }
-    let n = (p - ball.sphere.center) / ball.sphere.radius;
-    let to_light = (lamp.position - p).normalize();
-    let to_eye = -ray.direction.normalize();
-    let h = (to_eye + to_light).normalize();
-    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
-    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
-    ball.colour * ambient + diffuse + highlight
+    lit((ball, p), balls, lamp, ambient, directions(ray, ball, p, lamp))
 }
 
 fn first_in_the_list(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, background: Vec3) -> Vec3 {
-    let crossings = |ray: Ray, ball: &Ball| {
-        let f = ray.origin - ball.sphere.center;
-        let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
-        let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
-        [(-b - root) / a, (-b + root) / a]
-    };
-    let mut hits =
-        balls.iter().filter_map(|ball| Some((ball, crossings(ray, ball).into_iter().find(|t| *t > 0.0)?)));
-    let Some((ball, t)) = hits.next() else {
-        return background;
-    };
-    let p = ray.origin + t * ray.direction;
-    let shadow_ray = Ray { origin: p, direction: lamp.position - p };
-    let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
-    if dark {
-        return ball.colour * ambient;
-    }
-    let n = (p - ball.sphere.center) / ball.sphere.radius;
-    let to_light = (lamp.position - p).normalize();
-    let to_eye = -ray.direction.normalize();
-    let h = (to_eye + to_light).normalize();
-    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
-    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
-    ball.colour * ambient + diffuse + highlight
+    let Some((_, ball, p)) = hits(ray, balls).next() else { return background };
+    lit((ball, p), balls, lamp, ambient, directions(ray, ball, p, lamp))
 }
 
 fn highlight_in_the_ball_s_colour(
@@ -515,30 +514,14 @@ fn highlight_in_the_ball_s_colour(
     ambient: Vec3,
     background: Vec3,
 ) -> Vec3 {
-    let crossings = |ray: Ray, ball: &Ball| {
-        let f = ray.origin - ball.sphere.center;
-        let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
-        let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
-        [(-b - root) / a, (-b + root) / a]
-    };
-    let hits =
-        balls.iter().filter_map(|ball| Some((ball, crossings(ray, ball).into_iter().find(|t| *t > 0.0)?)));
-    let Some((ball, t)) = hits.min_by(|(_, s), (_, t)| s.total_cmp(t)) else {
-        return background;
-    };
-    let p = ray.origin + t * ray.direction;
-    let shadow_ray = Ray { origin: p, direction: lamp.position - p };
-    let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
-    if dark {
-        return ball.colour * ambient;
+    let Some((ball, p)) = seen_ball(ray, balls) else { return background };
+    let dark = ball.colour * ambient;
+    if is_dark(p, balls, lamp) {
+        return dark;
     }
-    let n = (p - ball.sphere.center) / ball.sphere.radius;
-    let to_light = (lamp.position - p).normalize();
-    let to_eye = -ray.direction.normalize();
-    let h = (to_eye + to_light).normalize();
-    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
-    let highlight = ball.colour * lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
-    ball.colour * ambient + diffuse + highlight
+    let directions = directions(ray, ball, p, lamp);
+    let coloured = Lamp { colour: ball.colour * lamp.colour, ..lamp };
+    dark + scattered(ball, lamp, directions) + mirrored(ball, coloured, directions)
 }
 
 fn ambient_without_the_ball_s_colour(
@@ -548,111 +531,32 @@ fn ambient_without_the_ball_s_colour(
     ambient: Vec3,
     background: Vec3,
 ) -> Vec3 {
-    let crossings = |ray: Ray, ball: &Ball| {
-        let f = ray.origin - ball.sphere.center;
-        let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
-        let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
-        [(-b - root) / a, (-b + root) / a]
-    };
-    let hits =
-        balls.iter().filter_map(|ball| Some((ball, crossings(ray, ball).into_iter().find(|t| *t > 0.0)?)));
-    let Some((ball, t)) = hits.min_by(|(_, s), (_, t)| s.total_cmp(t)) else {
-        return background;
-    };
-    let p = ray.origin + t * ray.direction;
-    let shadow_ray = Ray { origin: p, direction: lamp.position - p };
-    let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
-    if dark {
+    let Some((ball, p)) = seen_ball(ray, balls) else { return background };
+    if is_dark(p, balls, lamp) {
         return ambient;
     }
-    let n = (p - ball.sphere.center) / ball.sphere.radius;
-    let to_light = (lamp.position - p).normalize();
-    let to_eye = -ray.direction.normalize();
-    let h = (to_eye + to_light).normalize();
-    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
-    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
-    ambient + diffuse + highlight
+    let directions = directions(ray, ball, p, lamp);
+    ambient + scattered(ball, lamp, directions) + mirrored(ball, lamp, directions)
 }
 
 fn clamped(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, background: Vec3) -> Vec3 {
-    let crossings = |ray: Ray, ball: &Ball| {
-        let f = ray.origin - ball.sphere.center;
-        let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
-        let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
-        [(-b - root) / a, (-b + root) / a]
-    };
-    let hits =
-        balls.iter().filter_map(|ball| Some((ball, crossings(ray, ball).into_iter().find(|t| *t > 0.0)?)));
-    let Some((ball, t)) = hits.min_by(|(_, s), (_, t)| s.total_cmp(t)) else {
-        return background;
-    };
-    let p = ray.origin + t * ray.direction;
-    let shadow_ray = Ray { origin: p, direction: lamp.position - p };
-    let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
-    if dark {
+    let Some((ball, p)) = seen_ball(ray, balls) else { return background };
+    if is_dark(p, balls, lamp) {
         return ball.colour * ambient;
     }
-    let n = (p - ball.sphere.center) / ball.sphere.radius;
-    let to_light = (lamp.position - p).normalize();
-    let to_eye = -ray.direction.normalize();
-    let h = (to_eye + to_light).normalize();
-    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
-    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
-    (ball.colour * ambient + diffuse + highlight).min(Vec3::ONE)
+    lit((ball, p), balls, lamp, ambient, directions(ray, ball, p, lamp)).min(Vec3::ONE)
 }
 
 fn to_light_of_any_length(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, background: Vec3) -> Vec3 {
-    let crossings = |ray: Ray, ball: &Ball| {
-        let f = ray.origin - ball.sphere.center;
-        let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
-        let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
-        [(-b - root) / a, (-b + root) / a]
-    };
-    let hits =
-        balls.iter().filter_map(|ball| Some((ball, crossings(ray, ball).into_iter().find(|t| *t > 0.0)?)));
-    let Some((ball, t)) = hits.min_by(|(_, s), (_, t)| s.total_cmp(t)) else {
-        return background;
-    };
-    let p = ray.origin + t * ray.direction;
-    let shadow_ray = Ray { origin: p, direction: lamp.position - p };
-    let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
-    if dark {
-        return ball.colour * ambient;
-    }
-    let n = (p - ball.sphere.center) / ball.sphere.radius;
-    let to_light = lamp.position - p;
-    let to_eye = -ray.direction.normalize();
-    let h = (to_eye + to_light).normalize();
-    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
-    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
-    ball.colour * ambient + diffuse + highlight
+    let Some((ball, p)) = seen_ball(ray, balls) else { return background };
+    let [n, _, to_eye] = directions(ray, ball, p, lamp);
+    lit((ball, p), balls, lamp, ambient, [n, lamp.position - p, to_eye])
 }
 
 fn normal_of_any_length(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, background: Vec3) -> Vec3 {
-    let crossings = |ray: Ray, ball: &Ball| {
-        let f = ray.origin - ball.sphere.center;
-        let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
-        let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
-        [(-b - root) / a, (-b + root) / a]
-    };
-    let hits =
-        balls.iter().filter_map(|ball| Some((ball, crossings(ray, ball).into_iter().find(|t| *t > 0.0)?)));
-    let Some((ball, t)) = hits.min_by(|(_, s), (_, t)| s.total_cmp(t)) else {
-        return background;
-    };
-    let p = ray.origin + t * ray.direction;
-    let shadow_ray = Ray { origin: p, direction: lamp.position - p };
-    let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
-    if dark {
-        return ball.colour * ambient;
-    }
-    let n = p - ball.sphere.center;
-    let to_light = (lamp.position - p).normalize();
-    let to_eye = -ray.direction.normalize();
-    let h = (to_eye + to_light).normalize();
-    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
-    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
-    ball.colour * ambient + diffuse + highlight
+    let Some((ball, p)) = seen_ball(ray, balls) else { return background };
+    let [_, to_light, to_eye] = directions(ray, ball, p, lamp);
+    lit((ball, p), balls, lamp, ambient, [p - ball.sphere.center, to_light, to_eye])
 }
 
 fn towards_the_point_for_towards_the_eye(
@@ -662,82 +566,24 @@ fn towards_the_point_for_towards_the_eye(
     ambient: Vec3,
     background: Vec3,
 ) -> Vec3 {
-    let crossings = |ray: Ray, ball: &Ball| {
-        let f = ray.origin - ball.sphere.center;
-        let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
-        let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
-        [(-b - root) / a, (-b + root) / a]
-    };
-    let hits =
-        balls.iter().filter_map(|ball| Some((ball, crossings(ray, ball).into_iter().find(|t| *t > 0.0)?)));
-    let Some((ball, t)) = hits.min_by(|(_, s), (_, t)| s.total_cmp(t)) else {
-        return background;
-    };
-    let p = ray.origin + t * ray.direction;
-    let shadow_ray = Ray { origin: p, direction: lamp.position - p };
-    let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
-    if dark {
-        return ball.colour * ambient;
-    }
-    let n = (p - ball.sphere.center) / ball.sphere.radius;
-    let to_light = (lamp.position - p).normalize();
-    let to_eye = ray.direction.normalize();
-    let h = (to_eye + to_light).normalize();
-    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
-    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
-    ball.colour * ambient + diffuse + highlight
+    let Some((ball, p)) = seen_ball(ray, balls) else { return background };
+    let [n, to_light, to_eye] = directions(ray, ball, p, lamp);
+    lit((ball, p), balls, lamp, ambient, [n, to_light, -to_eye])
 }
 
 fn reflection_for_halfway(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, background: Vec3) -> Vec3 {
-    let crossings = |ray: Ray, ball: &Ball| {
-        let f = ray.origin - ball.sphere.center;
-        let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
-        let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
-        [(-b - root) / a, (-b + root) / a]
-    };
-    let hits =
-        balls.iter().filter_map(|ball| Some((ball, crossings(ray, ball).into_iter().find(|t| *t > 0.0)?)));
-    let Some((ball, t)) = hits.min_by(|(_, s), (_, t)| s.total_cmp(t)) else {
-        return background;
-    };
-    let p = ray.origin + t * ray.direction;
-    let shadow_ray = Ray { origin: p, direction: lamp.position - p };
-    let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
-    if dark {
-        return ball.colour * ambient;
+    let Some((ball, p)) = seen_ball(ray, balls) else { return background };
+    let dark = ball.colour * ambient;
+    if is_dark(p, balls, lamp) {
+        return dark;
     }
-    let n = (p - ball.sphere.center) / ball.sphere.radius;
-    let to_light = (lamp.position - p).normalize();
-    let to_eye = -ray.direction.normalize();
+    let [n, to_light, to_eye] = directions(ray, ball, p, lamp);
     let r = 2.0 * n.dot(to_light) * n - to_light;
-    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
     let highlight = lamp.colour * to_eye.dot(r).max(0.0).powf(ball.exponent);
-    ball.colour * ambient + diffuse + highlight
+    dark + scattered(ball, lamp, [n, to_light, to_eye]) + highlight
 }
 
 fn black_background(ray: Ray, balls: &[Ball], lamp: Lamp, ambient: Vec3, _background: Vec3) -> Vec3 {
-    let crossings = |ray: Ray, ball: &Ball| {
-        let f = ray.origin - ball.sphere.center;
-        let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
-        let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
-        [(-b - root) / a, (-b + root) / a]
-    };
-    let hits =
-        balls.iter().filter_map(|ball| Some((ball, crossings(ray, ball).into_iter().find(|t| *t > 0.0)?)));
-    let Some((ball, t)) = hits.min_by(|(_, s), (_, t)| s.total_cmp(t)) else {
-        return Vec3::ZERO;
-    };
-    let p = ray.origin + t * ray.direction;
-    let shadow_ray = Ray { origin: p, direction: lamp.position - p };
-    let dark = balls.iter().any(|ball| crossings(shadow_ray, ball).into_iter().any(|t| 0.001 < t && t < 1.0));
-    if dark {
-        return ball.colour * ambient;
-    }
-    let n = (p - ball.sphere.center) / ball.sphere.radius;
-    let to_light = (lamp.position - p).normalize();
-    let to_eye = -ray.direction.normalize();
-    let h = (to_eye + to_light).normalize();
-    let diffuse = ball.colour * lamp.colour * n.dot(to_light).max(0.0);
-    let highlight = lamp.colour * h.dot(n).max(0.0).powf(ball.exponent);
-    ball.colour * ambient + diffuse + highlight
+    let Some((ball, p)) = seen_ball(ray, balls) else { return Vec3::ZERO };
+    lit((ball, p), balls, lamp, ambient, directions(ray, ball, p, lamp))
 }

@@ -394,24 +394,32 @@ fn misconceptions() -> Vec<Misconception> {
     ]
 }
 
+// Each of the wrong programs differs from the slide's in one place. What they have in common stands here once, so that the place is seen.
+
+/// The nearest ball that the ray meets after t, the point, and the normal there.
+fn met(ray: Ray, balls: &[MirrorBall], after: f32) -> Option<(MirrorBall, Vec3, Vec3)> {
+    let hits = balls.iter().flat_map(|ball| {
+        let f = ray.origin - ball.sphere.center;
+        let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
+        let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
+        [(ball, (-b - root) / a), (ball, (-b + root) / a)]
+    });
+    let (ball, t) = hits.filter(|(_, t)| *t > after).min_by(|(_, s), (_, t)| s.total_cmp(t))?;
+    let p = ray.origin + t * ray.direction;
+    Some((*ball, p, (p - ball.sphere.center) / ball.sphere.radius))
+}
+
+/// The direction of the reflected ray: d − 2(d·n)n.
+fn reflected(d: Vec3, n: Vec3) -> Vec3 {
+    d - 2.0 * d.dot(n) * n
+}
+
 fn no_offset(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Vec3 {
     fn trace(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Vec3 {
-        let hits = balls.iter().flat_map(|ball| {
-            let f = ray.origin - ball.sphere.center;
-            let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
-            let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
-            [(ball, (-b - root) / a), (ball, (-b + root) / a)]
-        });
-        let nearest = hits.filter(|(_, t)| *t > 0.0).min_by(|(_, s), (_, t)| s.total_cmp(t));
-        let Some((ball, t)) = nearest else { return background };
-        let p = ray.origin + t * ray.direction;
-        let n = (p - ball.sphere.center) / ball.sphere.radius;
-        let direction = ray.direction - 2.0 * ray.direction.dot(n) * n;
-        let mirrored = if depth == 0 {
-            background
-        } else {
-            trace(Ray { origin: p, direction }, balls, background, depth - 1)
-        };
+        let Some((ball, p, n)) = met(ray, balls, 0.0) else { return background };
+        let direction = reflected(ray.direction, n);
+        let onwards = Ray { origin: p, direction };
+        let mirrored = if depth == 0 { background } else { trace(onwards, balls, background, depth - 1) };
         ball.colour + ball.mirror * mirrored
     }
     trace(ray, balls, background, depth)
@@ -419,22 +427,10 @@ fn no_offset(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Ve
 
 fn reflected_into_the_ball(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Vec3 {
     fn trace(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Vec3 {
-        let hits = balls.iter().flat_map(|ball| {
-            let f = ray.origin - ball.sphere.center;
-            let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
-            let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
-            [(ball, (-b - root) / a), (ball, (-b + root) / a)]
-        });
-        let nearest = hits.filter(|(_, t)| *t > 0.001).min_by(|(_, s), (_, t)| s.total_cmp(t));
-        let Some((ball, t)) = nearest else { return background };
-        let p = ray.origin + t * ray.direction;
-        let n = (p - ball.sphere.center) / ball.sphere.radius;
+        let Some((ball, p, n)) = met(ray, balls, 0.001) else { return background };
         let direction = 2.0 * ray.direction.dot(n) * n - ray.direction;
-        let mirrored = if depth == 0 {
-            background
-        } else {
-            trace(Ray { origin: p, direction }, balls, background, depth - 1)
-        };
+        let onwards = Ray { origin: p, direction };
+        let mirrored = if depth == 0 { background } else { trace(onwards, balls, background, depth - 1) };
         ball.colour + ball.mirror * mirrored
     }
     trace(ray, balls, background, depth)
@@ -442,22 +438,10 @@ fn reflected_into_the_ball(ray: Ray, balls: &[MirrorBall], background: Vec3, dep
 
 fn normal_of_any_length(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Vec3 {
     fn trace(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Vec3 {
-        let hits = balls.iter().flat_map(|ball| {
-            let f = ray.origin - ball.sphere.center;
-            let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
-            let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
-            [(ball, (-b - root) / a), (ball, (-b + root) / a)]
-        });
-        let nearest = hits.filter(|(_, t)| *t > 0.001).min_by(|(_, s), (_, t)| s.total_cmp(t));
-        let Some((ball, t)) = nearest else { return background };
-        let p = ray.origin + t * ray.direction;
-        let n = p - ball.sphere.center;
-        let direction = ray.direction - 2.0 * ray.direction.dot(n) * n;
-        let mirrored = if depth == 0 {
-            background
-        } else {
-            trace(Ray { origin: p, direction }, balls, background, depth - 1)
-        };
+        let Some((ball, p, _)) = met(ray, balls, 0.001) else { return background };
+        let direction = reflected(ray.direction, p - ball.sphere.center);
+        let onwards = Ray { origin: p, direction };
+        let mirrored = if depth == 0 { background } else { trace(onwards, balls, background, depth - 1) };
         ball.colour + ball.mirror * mirrored
     }
     trace(ray, balls, background, depth)
@@ -465,22 +449,10 @@ fn normal_of_any_length(ray: Ray, balls: &[MirrorBall], background: Vec3, depth:
 
 fn one_reflection_only(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Vec3 {
     fn trace(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Vec3 {
-        let hits = balls.iter().flat_map(|ball| {
-            let f = ray.origin - ball.sphere.center;
-            let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
-            let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
-            [(ball, (-b - root) / a), (ball, (-b + root) / a)]
-        });
-        let nearest = hits.filter(|(_, t)| *t > 0.001).min_by(|(_, s), (_, t)| s.total_cmp(t));
-        let Some((ball, t)) = nearest else { return background };
-        let p = ray.origin + t * ray.direction;
-        let n = (p - ball.sphere.center) / ball.sphere.radius;
-        let direction = ray.direction - 2.0 * ray.direction.dot(n) * n;
-        let mirrored = if depth == 0 {
-            background
-        } else {
-            trace(Ray { origin: p, direction }, balls, background, depth - 1)
-        };
+        let Some((ball, p, n)) = met(ray, balls, 0.001) else { return background };
+        let direction = reflected(ray.direction, n);
+        let onwards = Ray { origin: p, direction };
+        let mirrored = if depth == 0 { background } else { trace(onwards, balls, background, depth - 1) };
         ball.colour + ball.mirror * mirrored
     }
     trace(ray, balls, background, depth.min(1))
@@ -488,22 +460,10 @@ fn one_reflection_only(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: 
 
 fn all_is_mirrored(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Vec3 {
     fn trace(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Vec3 {
-        let hits = balls.iter().flat_map(|ball| {
-            let f = ray.origin - ball.sphere.center;
-            let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
-            let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
-            [(ball, (-b - root) / a), (ball, (-b + root) / a)]
-        });
-        let nearest = hits.filter(|(_, t)| *t > 0.001).min_by(|(_, s), (_, t)| s.total_cmp(t));
-        let Some((ball, t)) = nearest else { return background };
-        let p = ray.origin + t * ray.direction;
-        let n = (p - ball.sphere.center) / ball.sphere.radius;
-        let direction = ray.direction - 2.0 * ray.direction.dot(n) * n;
-        let mirrored = if depth == 0 {
-            background
-        } else {
-            trace(Ray { origin: p, direction }, balls, background, depth - 1)
-        };
+        let Some((ball, p, n)) = met(ray, balls, 0.001) else { return background };
+        let direction = reflected(ray.direction, n);
+        let onwards = Ray { origin: p, direction };
+        let mirrored = if depth == 0 { background } else { trace(onwards, balls, background, depth - 1) };
         ball.colour + mirrored
     }
     trace(ray, balls, background, depth)
@@ -511,22 +471,10 @@ fn all_is_mirrored(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32)
 
 fn blended(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Vec3 {
     fn trace(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Vec3 {
-        let hits = balls.iter().flat_map(|ball| {
-            let f = ray.origin - ball.sphere.center;
-            let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
-            let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
-            [(ball, (-b - root) / a), (ball, (-b + root) / a)]
-        });
-        let nearest = hits.filter(|(_, t)| *t > 0.001).min_by(|(_, s), (_, t)| s.total_cmp(t));
-        let Some((ball, t)) = nearest else { return background };
-        let p = ray.origin + t * ray.direction;
-        let n = (p - ball.sphere.center) / ball.sphere.radius;
-        let direction = ray.direction - 2.0 * ray.direction.dot(n) * n;
-        let mirrored = if depth == 0 {
-            background
-        } else {
-            trace(Ray { origin: p, direction }, balls, background, depth - 1)
-        };
+        let Some((ball, p, n)) = met(ray, balls, 0.001) else { return background };
+        let direction = reflected(ray.direction, n);
+        let onwards = Ray { origin: p, direction };
+        let mirrored = if depth == 0 { background } else { trace(onwards, balls, background, depth - 1) };
         ball.colour.lerp(mirrored, ball.mirror)
     }
     trace(ray, balls, background, depth)
@@ -534,22 +482,10 @@ fn blended(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Vec3
 
 fn black_at_the_limit(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Vec3 {
     fn trace(ray: Ray, balls: &[MirrorBall], background: Vec3, depth: u32) -> Vec3 {
-        let hits = balls.iter().flat_map(|ball| {
-            let f = ray.origin - ball.sphere.center;
-            let (a, b) = (ray.direction.length_squared(), ray.direction.dot(f));
-            let root = (b * b - a * (f.length_squared() - ball.sphere.radius.powi(2))).sqrt();
-            [(ball, (-b - root) / a), (ball, (-b + root) / a)]
-        });
-        let nearest = hits.filter(|(_, t)| *t > 0.001).min_by(|(_, s), (_, t)| s.total_cmp(t));
-        let Some((ball, t)) = nearest else { return background };
-        let p = ray.origin + t * ray.direction;
-        let n = (p - ball.sphere.center) / ball.sphere.radius;
-        let direction = ray.direction - 2.0 * ray.direction.dot(n) * n;
-        let mirrored = if depth == 0 {
-            Vec3::ZERO
-        } else {
-            trace(Ray { origin: p, direction }, balls, background, depth - 1)
-        };
+        let Some((ball, p, n)) = met(ray, balls, 0.001) else { return background };
+        let direction = reflected(ray.direction, n);
+        let onwards = Ray { origin: p, direction };
+        let mirrored = if depth == 0 { Vec3::ZERO } else { trace(onwards, balls, background, depth - 1) };
         ball.colour + ball.mirror * mirrored
     }
     trace(ray, balls, background, depth)

@@ -302,6 +302,21 @@ fn misconceptions() -> Vec<Misconception> {
     ]
 }
 
+// Each of the wrong programs differs from the slide's in one place. What they have in common stands here once, so that the place is seen.
+
+/// The normal between the corners', as long as it comes out.
+fn between([n_0, n_1, n_2]: [Vec3; 3], at: Barycentric) -> Vec3 {
+    at.alpha * n_0 + at.beta * n_1 + at.gamma * n_2
+}
+
+/// The lighting model for one normal.
+fn lit(material: Material, c_l: Vec3, to_light: Vec3, to_eye: Vec3, n: Vec3) -> Vec3 {
+    let facing = n.dot(to_light).max(0.0);
+    let r = 2.0 * facing * n - to_light;
+    let highlight = if facing > 0.0 { to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
+    c_l * (material.diffuse * facing + highlight)
+}
+
 fn not_brought_back(
     material: Material,
     c_l: Vec3,
@@ -310,13 +325,7 @@ fn not_brought_back(
     normals: [Vec3; 3],
     at: Barycentric,
 ) -> Vec3 {
-    let n = at.alpha * normals[0] + at.beta * normals[1] + at.gamma * normals[2];
-    let facing = n.dot(to_light);
-    if facing <= 0.0 {
-        return Vec3::ZERO;
-    }
-    let r = 2.0 * facing * n - to_light;
-    c_l * (material.diffuse * facing + to_eye.dot(r).max(0.0).powf(material.exponent))
+    lit(material, c_l, to_light, to_eye, between(normals, at))
 }
 
 fn gouraud_shading(
@@ -327,13 +336,7 @@ fn gouraud_shading(
     normals: [Vec3; 3],
     at: Barycentric,
 ) -> Vec3 {
-    let [c_0, c_1, c_2] = normals.map(|n| {
-        let facing = n.dot(to_light).max(0.0);
-        let r = 2.0 * facing * n - to_light;
-        let highlight = if facing > 0.0 { to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
-        c_l * (material.diffuse * facing + highlight)
-    });
-    at.alpha * c_0 + at.beta * c_1 + at.gamma * c_2
+    between(normals.map(|n| lit(material, c_l, to_light, to_eye, n)), at)
 }
 
 fn flat(
@@ -344,11 +347,7 @@ fn flat(
     normals: [Vec3; 3],
     _at: Barycentric,
 ) -> Vec3 {
-    let n = (normals[0] + normals[1] + normals[2]).normalize();
-    let facing = n.dot(to_light).max(0.0);
-    let r = 2.0 * facing * n - to_light;
-    let highlight = if facing > 0.0 { to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
-    c_l * (material.diffuse * facing + highlight)
+    lit(material, c_l, to_light, to_eye, (normals[0] + normals[1] + normals[2]).normalize())
 }
 
 fn weights_exchanged(
@@ -359,11 +358,8 @@ fn weights_exchanged(
     normals: [Vec3; 3],
     at: Barycentric,
 ) -> Vec3 {
-    let n = (at.beta * normals[0] + at.alpha * normals[1] + at.gamma * normals[2]).normalize();
-    let facing = n.dot(to_light).max(0.0);
-    let r = 2.0 * facing * n - to_light;
-    let highlight = if facing > 0.0 { to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
-    c_l * (material.diffuse * facing + highlight)
+    let exchanged = Barycentric { alpha: at.beta, beta: at.alpha, ..at };
+    lit(material, c_l, to_light, to_eye, between(normals, exchanged).normalize())
 }
 
 fn without_the_gate(
@@ -374,7 +370,7 @@ fn without_the_gate(
     normals: [Vec3; 3],
     at: Barycentric,
 ) -> Vec3 {
-    let n = (at.alpha * normals[0] + at.beta * normals[1] + at.gamma * normals[2]).normalize();
+    let n = between(normals, at).normalize();
     let r = 2.0 * n.dot(to_light) * n - to_light;
     c_l * (material.diffuse * n.dot(to_light).max(0.0) + to_eye.dot(r).max(0.0).powf(material.exponent))
 }
@@ -387,9 +383,6 @@ fn highlight_in_the_surfaces_colour(
     normals: [Vec3; 3],
     at: Barycentric,
 ) -> Vec3 {
-    let n = (at.alpha * normals[0] + at.beta * normals[1] + at.gamma * normals[2]).normalize();
-    let facing = n.dot(to_light).max(0.0);
-    let r = 2.0 * facing * n - to_light;
-    let highlight = if facing > 0.0 { to_eye.dot(r).max(0.0).powf(material.exponent) } else { 0.0 };
-    material.diffuse * c_l * (facing + highlight)
+    let white = Material { diffuse: Vec3::ONE, ..material };
+    lit(white, material.diffuse * c_l, to_light, to_eye, between(normals, at).normalize())
 }

@@ -262,76 +262,55 @@ fn misconceptions() -> Vec<Misconception> {
     ]
 }
 
-fn r_minus_one(volume: ViewVolume) -> Mat4 {
-    let ViewVolume { left: l, right: r, bottom: b, top: t, near: n, far: f } = volume;
-    let p = Mat4::from_cols(
+// Each of the wrong programs differs from the slide's in one place. What they have in common stands here once, so that the place is seen.
+
+/// P: the pyramid becomes a box.
+fn boxed(volume: ViewVolume) -> Mat4 {
+    let ViewVolume { near: n, far: f, .. } = volume;
+    Mat4::from_cols(
         glam::vec4(n, 0.0, 0.0, 0.0),
         glam::vec4(0.0, n, 0.0, 0.0),
         glam::vec4(0.0, 0.0, n + f, 1.0),
         glam::vec4(0.0, 0.0, -f * n, 0.0),
-    );
-    let c = Mat4::from_translation(-0.5 * glam::vec3(l + r, b + t, n + f));
-    let s = Mat4::from_scale(glam::vec3(2.0 / (r - 1.0), 2.0 / (t - b), 2.0 / (n - f)));
-    s * c * p
+    )
+}
+
+/// C: the box's middle goes to the origin.
+fn centred(volume: ViewVolume) -> Mat4 {
+    let ViewVolume { left: l, right: r, bottom: b, top: t, near: n, far: f } = volume;
+    Mat4::from_translation(-0.5 * glam::vec3(l + r, b + t, n + f))
+}
+
+/// S: its sides become 2 long.
+fn scaled(volume: ViewVolume) -> Mat4 {
+    let ViewVolume { left: l, right: r, bottom: b, top: t, near: n, far: f } = volume;
+    Mat4::from_scale(glam::vec3(2.0 / (r - l), 2.0 / (t - b), 2.0 / (n - f)))
+}
+
+fn r_minus_one(volume: ViewVolume) -> Mat4 {
+    scaled(ViewVolume { left: 1.0, ..volume }) * centred(volume) * boxed(volume)
 }
 
 fn perspective_forgotten(volume: ViewVolume) -> Mat4 {
-    let ViewVolume { left: l, right: r, bottom: b, top: t, near: n, far: f } = volume;
-    let c = Mat4::from_translation(-0.5 * glam::vec3(l + r, b + t, n + f));
-    let s = Mat4::from_scale(glam::vec3(2.0 / (r - l), 2.0 / (t - b), 2.0 / (n - f)));
-    s * c
+    scaled(volume) * centred(volume)
 }
 
 fn factors_in_reading_order(volume: ViewVolume) -> Mat4 {
-    let ViewVolume { left: l, right: r, bottom: b, top: t, near: n, far: f } = volume;
-    let p = Mat4::from_cols(
-        glam::vec4(n, 0.0, 0.0, 0.0),
-        glam::vec4(0.0, n, 0.0, 0.0),
-        glam::vec4(0.0, 0.0, n + f, 1.0),
-        glam::vec4(0.0, 0.0, -f * n, 0.0),
-    );
-    let c = Mat4::from_translation(-0.5 * glam::vec3(l + r, b + t, n + f));
-    let s = Mat4::from_scale(glam::vec3(2.0 / (r - l), 2.0 / (t - b), 2.0 / (n - f)));
-    p * s * c
+    boxed(volume) * scaled(volume) * centred(volume)
 }
 
 fn scaled_before_centred(volume: ViewVolume) -> Mat4 {
-    let ViewVolume { left: l, right: r, bottom: b, top: t, near: n, far: f } = volume;
-    let p = Mat4::from_cols(
-        glam::vec4(n, 0.0, 0.0, 0.0),
-        glam::vec4(0.0, n, 0.0, 0.0),
-        glam::vec4(0.0, 0.0, n + f, 1.0),
-        glam::vec4(0.0, 0.0, -f * n, 0.0),
-    );
-    let c = Mat4::from_translation(-0.5 * glam::vec3(l + r, b + t, n + f));
-    let s = Mat4::from_scale(glam::vec3(2.0 / (r - l), 2.0 / (t - b), 2.0 / (n - f)));
-    c * s * p
+    centred(volume) * scaled(volume) * boxed(volume)
 }
 
 fn window_in_the_middle(volume: ViewVolume) -> Mat4 {
-    let ViewVolume { left: l, right: r, bottom: b, top: t, near: n, far: f } = volume;
-    let p = Mat4::from_cols(
-        glam::vec4(n, 0.0, 0.0, 0.0),
-        glam::vec4(0.0, n, 0.0, 0.0),
-        glam::vec4(0.0, 0.0, n + f, 1.0),
-        glam::vec4(0.0, 0.0, -f * n, 0.0),
-    );
-    let c = Mat4::from_translation(-0.5 * glam::vec3(0.0, 0.0, n + f));
-    let s = Mat4::from_scale(glam::vec3(2.0 / (r - l), 2.0 / (t - b), 2.0 / (n - f)));
-    s * c * p
+    let middle = ViewVolume { left: 0.0, right: 0.0, bottom: 0.0, top: 0.0, ..volume };
+    scaled(volume) * centred(middle) * boxed(volume)
 }
 
 fn near_at_minus_one(volume: ViewVolume) -> Mat4 {
-    let ViewVolume { left: l, right: r, bottom: b, top: t, near: n, far: f } = volume;
-    let p = Mat4::from_cols(
-        glam::vec4(n, 0.0, 0.0, 0.0),
-        glam::vec4(0.0, n, 0.0, 0.0),
-        glam::vec4(0.0, 0.0, n + f, 1.0),
-        glam::vec4(0.0, 0.0, -f * n, 0.0),
-    );
-    let c = Mat4::from_translation(-0.5 * glam::vec3(l + r, b + t, n + f));
-    let s = Mat4::from_scale(glam::vec3(2.0 / (r - l), 2.0 / (t - b), 2.0 / (f - n)));
-    s * c * p
+    let turned = ViewVolume { near: volume.far, far: volume.near, ..volume };
+    scaled(turned) * centred(volume) * boxed(volume)
 }
 
 fn opengl(volume: ViewVolume) -> Mat4 {

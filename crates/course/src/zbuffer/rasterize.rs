@@ -412,27 +412,36 @@ fn misconceptions() -> Vec<Misconception> {
     ]
 }
 
+// Each of the wrong programs differs from the right one in one place. What they have in common stands here once, so that the place is seen.
+
+/// The corners, so that they run anticlockwise.
+fn anticlockwise(Triangle2 { a, b, c }: Triangle2) -> [glam::Vec2; 3] {
+    if (b - a).perp_dot(c - a) < 0.0 { [a, c, b] } else { [a, b, c] }
+}
+
+/// The values of the three edge functions.
+fn edges([a, b, c]: [glam::Vec2; 3], p: glam::Vec2) -> [f32; 3] {
+    [(b - a).perp_dot(p - a), (c - b).perp_dot(p - b), (a - c).perp_dot(p - c)]
+}
+
+/// Whether the triangle with these corners owns p, by the top-left rule.
+fn owns([a, b, c]: [glam::Vec2; 3], p: glam::Vec2) -> bool {
+    let along = [b - a, c - b, a - c];
+    along.iter().zip(edges([a, b, c], p)).all(|(along, edge)| {
+        let owned = along.y < 0.0 || (along.y == 0.0 && along.x < 0.0);
+        edge > 0.0 || (edge == 0.0 && owned)
+    })
+}
+
+/// The pixels of the screen whose sample is chosen, row after row.
+fn chosen(width: u32, height: u32, is_chosen: impl Fn(glam::Vec2) -> bool) -> Vec<Pixel> {
+    let screen = (0..height).flat_map(|j| (0..width).map(move |i| Pixel { i, j }));
+    screen.filter(|pixel| is_chosen(glam::vec2(pixel.i as f32, pixel.j as f32))).collect()
+}
+
 fn samples_at_halves(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
-    let Triangle2 { a, b, c } = triangle;
-    let clockwise = (b - a).perp_dot(c - a) < 0.0;
-    let (b, c) = if clockwise { (c, b) } else { (b, c) };
-    let covers = |p: glam::Vec2| {
-        [(a, b), (b, c), (c, a)].into_iter().all(|(from, to)| {
-            let along = to - from;
-            let edge = along.perp_dot(p - from);
-            let owned = along.y < 0.0 || (along.y == 0.0 && along.x < 0.0);
-            edge > 0.0 || (edge == 0.0 && owned)
-        })
-    };
-    let mut pixels = Vec::new();
-    for j in 0..height {
-        for i in 0..width {
-            if covers(glam::vec2(i as f32 + 0.5, j as f32 + 0.5)) {
-                pixels.push(Pixel { i, j });
-            }
-        }
-    }
-    pixels
+    let corners = anticlockwise(triangle);
+    chosen(width, height, |p| owns(corners, p + 0.5))
 }
 
 fn the_whole_box(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
@@ -445,158 +454,42 @@ fn the_whole_box(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
 }
 
 fn no_side(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
-    let Triangle2 { a, b, c } = triangle;
-    let clockwise = (b - a).perp_dot(c - a) < 0.0;
-    let (b, c) = if clockwise { (c, b) } else { (b, c) };
-    let covers = |p: glam::Vec2| {
-        let edges = [(b - a).perp_dot(p - a), (c - b).perp_dot(p - b), (a - c).perp_dot(p - c)];
-        edges.iter().all(|edge| *edge > 0.0)
-    };
-    let mut pixels = Vec::new();
-    for j in 0..height {
-        for i in 0..width {
-            if covers(glam::vec2(i as f32, j as f32)) {
-                pixels.push(Pixel { i, j });
-            }
-        }
-    }
-    pixels
+    let corners = anticlockwise(triangle);
+    chosen(width, height, |p| edges(corners, p).iter().all(|edge| *edge > 0.0))
 }
 
 fn every_side(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
-    let Triangle2 { a, b, c } = triangle;
-    let clockwise = (b - a).perp_dot(c - a) < 0.0;
-    let (b, c) = if clockwise { (c, b) } else { (b, c) };
-    let covers = |p: glam::Vec2| {
-        let edges = [(b - a).perp_dot(p - a), (c - b).perp_dot(p - b), (a - c).perp_dot(p - c)];
-        edges.iter().all(|edge| *edge >= 0.0)
-    };
-    let mut pixels = Vec::new();
-    for j in 0..height {
-        for i in 0..width {
-            if covers(glam::vec2(i as f32, j as f32)) {
-                pixels.push(Pixel { i, j });
-            }
-        }
-    }
-    pixels
+    let corners = anticlockwise(triangle);
+    chosen(width, height, |p| edges(corners, p).iter().all(|edge| *edge >= 0.0))
 }
 
 fn only_anticlockwise(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
     let Triangle2 { a, b, c } = triangle;
-    let covers = |p: glam::Vec2| {
-        [(a, b), (b, c), (c, a)].into_iter().all(|(from, to)| {
-            let along = to - from;
-            let edge = along.perp_dot(p - from);
-            let owned = along.y < 0.0 || (along.y == 0.0 && along.x < 0.0);
-            edge > 0.0 || (edge == 0.0 && owned)
-        })
-    };
-    let mut pixels = Vec::new();
-    for j in 0..height {
-        for i in 0..width {
-            if covers(glam::vec2(i as f32, j as f32)) {
-                pixels.push(Pixel { i, j });
-            }
-        }
-    }
-    pixels
+    chosen(width, height, |p| owns([a, b, c], p))
 }
 
 fn all_or_nothing(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
-    let Triangle2 { a, b, c } = triangle;
+    let corners @ [a, b, c] = anticlockwise(triangle);
     let (least, greatest) = (a.min(b).min(c), a.max(b).max(c));
     if least.min_element() < -0.5 || greatest.x > width as f32 - 0.5 || greatest.y > height as f32 - 0.5 {
         return Vec::new();
     }
-    let clockwise = (b - a).perp_dot(c - a) < 0.0;
-    let (b, c) = if clockwise { (c, b) } else { (b, c) };
-    let covers = |p: glam::Vec2| {
-        [(a, b), (b, c), (c, a)].into_iter().all(|(from, to)| {
-            let along = to - from;
-            let edge = along.perp_dot(p - from);
-            let owned = along.y < 0.0 || (along.y == 0.0 && along.x < 0.0);
-            edge > 0.0 || (edge == 0.0 && owned)
-        })
-    };
-    let mut pixels = Vec::new();
-    for j in 0..height {
-        for i in 0..width {
-            if covers(glam::vec2(i as f32, j as f32)) {
-                pixels.push(Pixel { i, j });
-            }
-        }
-    }
-    pixels
+    chosen(width, height, |p| owns(corners, p))
 }
 
 fn last_ones_missing(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
-    let Triangle2 { a, b, c } = triangle;
-    let clockwise = (b - a).perp_dot(c - a) < 0.0;
-    let (b, c) = if clockwise { (c, b) } else { (b, c) };
-    let covers = |p: glam::Vec2| {
-        [(a, b), (b, c), (c, a)].into_iter().all(|(from, to)| {
-            let along = to - from;
-            let edge = along.perp_dot(p - from);
-            let owned = along.y < 0.0 || (along.y == 0.0 && along.x < 0.0);
-            edge > 0.0 || (edge == 0.0 && owned)
-        })
-    };
-    let low = a.min(b).min(c).ceil();
-    let high = a.max(b).max(c).floor();
-    let mut pixels = Vec::new();
-    for j in low.y as u32..(high.y as u32).min(height) {
-        for i in low.x as u32..(high.x as u32).min(width) {
-            if covers(glam::vec2(i as f32, j as f32)) {
-                pixels.push(Pixel { i, j });
-            }
-        }
-    }
-    pixels
+    let corners @ [a, b, c] = anticlockwise(triangle);
+    let end = a.max(b).max(c).floor();
+    chosen(width, height, |p| p.cmplt(end).all() && owns(corners, p))
 }
 
 fn one_too_many(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
-    let Triangle2 { a, b, c } = triangle;
-    let clockwise = (b - a).perp_dot(c - a) < 0.0;
-    let (b, c) = if clockwise { (c, b) } else { (b, c) };
-    let covers = |p: glam::Vec2| {
-        [(a, b), (b, c), (c, a)].into_iter().all(|(from, to)| {
-            let along = to - from;
-            let edge = along.perp_dot(p - from);
-            let owned = along.y < 0.0 || (along.y == 0.0 && along.x < 0.0);
-            edge > 0.0 || (edge == 0.0 && owned)
-        })
-    };
-    let mut pixels = Vec::new();
-    for j in 0..=height {
-        for i in 0..=width {
-            if covers(glam::vec2(i as f32, j as f32)) {
-                pixels.push(Pixel { i, j });
-            }
-        }
-    }
-    pixels
+    let corners = anticlockwise(triangle);
+    chosen(width + 1, height + 1, |p| owns(corners, p))
 }
 
 fn rows_from_the_top(triangle: Triangle2, width: u32, height: u32) -> Vec<Pixel> {
-    let Triangle2 { a, b, c } = triangle;
-    let clockwise = (b - a).perp_dot(c - a) < 0.0;
-    let (b, c) = if clockwise { (c, b) } else { (b, c) };
-    let covers = |p: glam::Vec2| {
-        [(a, b), (b, c), (c, a)].into_iter().all(|(from, to)| {
-            let along = to - from;
-            let edge = along.perp_dot(p - from);
-            let owned = along.y < 0.0 || (along.y == 0.0 && along.x < 0.0);
-            edge > 0.0 || (edge == 0.0 && owned)
-        })
-    };
-    let mut pixels = Vec::new();
-    for j in 0..height {
-        for i in 0..width {
-            if covers(glam::vec2(i as f32, j as f32)) {
-                pixels.push(Pixel { i, j: height - 1 - j });
-            }
-        }
-    }
-    pixels
+    let corners = anticlockwise(triangle);
+    let pixels = chosen(width, height, |p| owns(corners, p));
+    pixels.into_iter().map(|Pixel { i, j }| Pixel { i, j: height - 1 - j }).collect()
 }
