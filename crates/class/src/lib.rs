@@ -1,0 +1,7 @@
+//! How are two hundred submissions graded with one command, and what is said about them?
+//!
+//! - [`results`]: what is known of a class once it has been graded; every report is made from it.
+
+#![forbid(unsafe_code)]
+
+pub mod results;

@@ -1,0 +1,356 @@
+//! What is known of a class once it has been graded? Every report is made from this, and from nothing else.
+//!
+//! As JSON it is `results.json`. Whoever reads such a file sees first whether it is one, and of which [`VERSION`]; within a version
+//! fields are neither removed nor given another meaning.
+
+use serde::{Deserialize, Serialize};
+
+/// What kind of file it is.
+pub const SCHEMA: &str = "lightlab-results";
+
+/// The version of the kind.
+pub const VERSION: u32 = 1;
+
+/// A class, graded.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Results {
+    /// [`SCHEMA`].
+    pub schema: String,
+    /// [`VERSION`].
+    pub version: u32,
+    /// What was judged by.
+    pub course: Course,
+    /// How inputs were chosen.
+    pub seeds: Seeds,
+    /// Whether every submission was judged in the sandbox.
+    pub sandboxed: bool,
+    /// One a student, in the order of their ids.
+    pub submissions: Vec<Submission>,
+}
+
+/// The exercises as they were when they judged.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Course {
+    /// Changes with any exercise and with what tries them: hexadecimal.
+    pub version: String,
+    /// In the order in which they are best done.
+    pub exercises: Vec<Exercise>,
+}
+
+/// An exercise, outlined.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Exercise {
+    /// The function's name, and the file's without `.rs`.
+    pub name: String,
+    /// The concept, and the folder.
+    pub concept: String,
+    /// Its title in English.
+    pub title: String,
+    /// The lecture's items that it is about: "L31, E3".
+    pub items: String,
+    /// What a right solution gets.
+    pub points: u32,
+    /// Its laws; the worked examples count as the first.
+    pub laws: Vec<Law>,
+    /// Known wrong programs: what diagnoses may name.
+    pub misconceptions: Vec<Misconception>,
+}
+
+/// A law, outlined.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Law {
+    /// Its name.
+    pub name: String,
+    /// What it states.
+    pub statement: String,
+    /// What keeping it is worth.
+    pub points: u32,
+}
+
+/// A known wrong program.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Misconception {
+    /// Its name.
+    pub name: String,
+    /// To be read after "This looks like: ".
+    pub looks_like: String,
+}
+
+/// How inputs were chosen.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Seeds {
+    /// The seed asked for; each submission says which one it was judged with.
+    pub seed: u64,
+    /// Whether each student has inputs of their own, made from the seed and the student's id.
+    pub per_student: bool,
+}
+
+/// What one student handed in, judged.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Submission {
+    /// Unlike any other's, and fit for a file name on every system: letters, digits, `-`, `_`, `.`.
+    pub id: String,
+    /// The student as the folder or archive says; may hold any characters.
+    pub student: String,
+    /// The folder or archive it was read from, as it is named in the class's folder; may hold any characters.
+    pub source: String,
+    /// Of all that was judged: hexadecimal.
+    pub fingerprint: String,
+    /// The seed of its inputs.
+    pub seed: u64,
+    /// The sum of the points.
+    pub points: u32,
+    /// What they could have been.
+    pub of: u32,
+    /// What there is to say beside the verdicts: what was ignored, and why.
+    pub notices: Vec<Notice>,
+    /// One an exercise, in the course's order.
+    pub verdicts: Vec<Verdict>,
+}
+
+/// A remark on a submission.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Notice {
+    /// Who may read it.
+    pub audience: Audience,
+    /// A sentence.
+    pub text: String,
+}
+
+/// Who may read something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Audience {
+    /// The student, and the staff.
+    Student,
+    /// The staff alone.
+    Staff,
+}
+
+/// What came of one exercise.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Verdict {
+    /// The exercise's name.
+    pub exercise: String,
+    /// Repeats the verdict: `cargo lab check --token …`.
+    pub token: String,
+    /// The whole in a word.
+    pub outcome: Outcome,
+    /// The same in a sentence or two, where the laws do not say it all.
+    pub sentence: Option<String>,
+    /// What rustc says; may hold any characters.
+    pub compiler: Option<String>,
+    /// The line of the student's file that the sentence or the compiler is about, from 1.
+    pub line: Option<u32>,
+    /// The points of the laws that hold.
+    pub points: u32,
+    /// The points of all laws.
+    pub of: u32,
+    /// How each law went, in the exercise's order; empty where none was tried.
+    pub laws: Vec<LawVerdict>,
+    /// The misconception that the answers are those of.
+    pub looks_like: Option<LooksLike>,
+    /// The counterexample, drawn. Not in `results.json`: pictures stand in the feedback.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub picture: Option<Picture>,
+    /// What the student's code printed on standard output, the beginning; may hold any characters.
+    pub printed: String,
+}
+
+/// The whole in a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Outcome {
+    /// All laws hold.
+    Passed,
+    /// A law does not hold.
+    Wrong,
+    /// Asked the same twice, it answered differently.
+    Unsteady,
+    /// The code panicked.
+    Panicked,
+    /// A call did not return in time.
+    TimedOut,
+    /// It wanted more memory than it may have.
+    OutOfMemory,
+    /// It calls itself without end.
+    StackOverflow,
+    /// It ended the process.
+    Exited,
+    /// Its process was ended otherwise, or sent what is no answer.
+    Crashed,
+    /// Rustc refuses it, or did not come to an end with it.
+    DoesNotCompile,
+    /// `todo!()` still stands there.
+    NotStarted,
+    /// There is no such file in the submission.
+    Missing,
+    /// Nothing is in the file.
+    Empty,
+    /// The file is no text, or too long.
+    Unreadable,
+    /// The grader's own fault; a person has to look.
+    GraderError,
+}
+
+/// What kind of outcome it is: platforms know no finer difference.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Right.
+    Right,
+    /// Runs, and gives something wrong.
+    Wrong,
+    /// Does not compile.
+    CompileError,
+    /// Ends otherwise than by an answer.
+    RuntimeError,
+    /// Takes too long.
+    TimeLimit,
+    /// Takes too much memory.
+    MemoryLimit,
+    /// Nothing was handed in.
+    Absent,
+    /// The grader's fault.
+    InternalError,
+}
+
+impl Outcome {
+    /// All of them.
+    pub const ALL: [Self; 15] = [
+        Self::Passed,
+        Self::Wrong,
+        Self::Unsteady,
+        Self::Panicked,
+        Self::TimedOut,
+        Self::OutOfMemory,
+        Self::StackOverflow,
+        Self::Exited,
+        Self::Crashed,
+        Self::DoesNotCompile,
+        Self::NotStarted,
+        Self::Missing,
+        Self::Empty,
+        Self::Unreadable,
+        Self::GraderError,
+    ];
+
+    /// As a person says it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Passed => "passed",
+            Self::Wrong => "wrong",
+            Self::Unsteady => "unsteady",
+            Self::Panicked => "panicked",
+            Self::TimedOut => "timed out",
+            Self::OutOfMemory => "out of memory",
+            Self::StackOverflow => "stack overflow",
+            Self::Exited => "exited",
+            Self::Crashed => "crashed",
+            Self::DoesNotCompile => "does not compile",
+            Self::NotStarted => "not started",
+            Self::Missing => "missing",
+            Self::Empty => "empty",
+            Self::Unreadable => "unreadable",
+            Self::GraderError => "grader error",
+        }
+    }
+
+    /// Its kind.
+    pub fn kind(self) -> Kind {
+        match self {
+            Self::Passed => Kind::Right,
+            Self::Wrong | Self::Unsteady => Kind::Wrong,
+            Self::Panicked | Self::StackOverflow | Self::Exited | Self::Crashed => Kind::RuntimeError,
+            Self::TimedOut => Kind::TimeLimit,
+            Self::OutOfMemory => Kind::MemoryLimit,
+            Self::DoesNotCompile | Self::Unreadable => Kind::CompileError,
+            Self::NotStarted | Self::Missing | Self::Empty => Kind::Absent,
+            Self::GraderError => Kind::InternalError,
+        }
+    }
+}
+
+/// How one law went.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LawVerdict {
+    /// Its name.
+    pub name: String,
+    /// What the student gets for it.
+    pub points: u32,
+    /// What keeping it is worth.
+    pub of: u32,
+    /// How it went.
+    pub result: LawResult,
+}
+
+/// How one law went.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LawResult {
+    /// It held for so many inputs.
+    Kept(u32),
+    /// It did not hold.
+    Failed(Counterexample),
+    /// It was not tried.
+    NotRun,
+}
+
+/// The smallest input found on which a law does not hold.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Counterexample {
+    /// Which worked example it is, if it is one.
+    pub example: Option<String>,
+    /// The calls that show it.
+    pub calls: Vec<Call>,
+    /// What is wrong about them; nothing where the last call gave no value.
+    pub broken: Option<String>,
+    /// What would help.
+    pub help: String,
+}
+
+/// A call and what came of it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Call {
+    /// "rotate_about_point(theta = 1.5, p = (1, 2))".
+    pub call: String,
+    /// "(0, 1)", or "a panic: …", or "no answer"; a panic's words may hold any characters.
+    pub gave: String,
+}
+
+/// A misconception, and how sure it is.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LooksLike {
+    /// Its name.
+    pub misconception: String,
+    /// To be read after "This looks like: ".
+    pub what: String,
+    /// What would help.
+    pub help: String,
+    /// On so many inputs the answers are the misconception's…
+    pub agreeing: usize,
+    /// …of so many on which that one is not right.
+    pub telling: usize,
+}
+
+/// A counterexample, drawn.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Picture {
+    /// SVG, ours but for the numbers.
+    pub svg: String,
+    /// The same for a terminal, if it is small enough.
+    pub text: Option<String>,
+}
