@@ -96,7 +96,7 @@ impl Workbench {
         // A debug build is one for tests. What is built for tests of the whole workspace has other features than a build of this package alone, which
         // would build everything a second time; the worker alone is soon built.
         let package = if cfg!(debug_assertions) { "worker" } else { env!("CARGO_PKG_NAME") };
-        let build = Build { bare: cfg!(not(feature = "pictures")), ..Build::of(package) };
+        let build = Build { features: features(), ..Build::of(package) };
         let kit = Kit::remembered(&self.root, build, &memory).map_err(|e| {
             Failure::new(e.to_string(), "see that `cargo build --release --package lab` succeeds")
         })?;
@@ -145,6 +145,16 @@ impl Workbench {
         let unfinished = Unfinished::beside(&path).ok()?;
         unfinished.finish(picture.svg.as_bytes(), None, &path).ok()?;
         Some(path)
+    }
+}
+
+/// The features of this program, as cargo is asked for them.
+fn features() -> &'static [&'static str] {
+    match (cfg!(feature = "pictures"), cfg!(feature = "class")) {
+        (true, true) => &[],
+        (true, false) => &["--no-default-features", "--features", "pictures"],
+        (false, true) => &["--no-default-features", "--features", "class"],
+        (false, false) => &["--no-default-features"],
     }
 }
 

@@ -1,0 +1,21 @@
+//! How is a class graded? Commands for lecturers; each has a file of its name.
+//!
+//! [`args`] says what can be typed.
+
+mod args;
+mod grade;
+
+pub(crate) use args::Command;
+
+use crate::cli::Outcome;
+use crate::failure::Failure;
+
+/// Does what was asked for.
+///
+/// # Errors
+/// [`Failure`], each command's own.
+pub(crate) fn run(command: &Command) -> Result<Outcome, Failure> {
+    match command {
+        Command::Grade(asked) => grade::run(asked),
+    }
+}
