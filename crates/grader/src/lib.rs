@@ -10,6 +10,7 @@
 #![forbid(unsafe_code)]
 
 mod compile;
+mod doubt;
 mod judge;
 mod judgement;
 mod kit;
@@ -17,8 +18,9 @@ mod process;
 mod token;
 
 pub use compile::Compiler;
+pub use doubt::Twice;
 pub use judge::{Judge, LONGEST_FILE};
-pub use judgement::{Judgement, LooksLike, Outcome, Unreadable, gave};
+pub use judgement::{Forfeit, Judgement, LooksLike, Outcome, Unreadable, gave};
 pub use kit::{Build, Kit, KitError};
 pub use process::{Limits, Output, Printed};
 pub use token::{NoToken, Token, version};
