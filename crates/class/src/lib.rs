@@ -1,10 +1,25 @@
 //! How are two hundred submissions graded with one command, and what is said about them?
 //!
 //! - [`intake`]: who handed in what.
+//! - [`Grading`]: has each judged, keeps what was judged, goes on where a run was ended.
+//! - [`merge()`]: puts together what several machines judged; [`changes()`]: compares with an older report.
 //! - [`results`]: what is known of a class once it has been graded; every report is made from it.
 
 #![forbid(unsafe_code)]
 
+mod changes;
+mod grading;
 pub mod intake;
+mod kept;
+mod merge;
+mod outline;
+mod partition;
 pub mod results;
 mod sum;
+mod verdict;
+
+pub use changes::{Change, Changes, changes};
+pub use grading::{GradeError, Grading, Write};
+pub use merge::{MergeError, RESULTS, merge, read, read_with_pictures};
+pub use outline::course;
+pub use partition::{NoPartition, Partition};

@@ -160,10 +160,7 @@ fn features() -> &'static [&'static str] {
 
 /// Whether the file is as it was handed out, but for the ends of lines.
 pub(crate) fn is_untouched(exercise: &Exercise, file: &Path) -> bool {
-    bytes_of(file).is_some_and(|bytes| {
-        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
-        bytes.iter().filter(|byte| **byte != b'\r').eq(exercise.stub.as_bytes())
-    })
+    bytes_of(file).is_some_and(|bytes| exercise.is_untouched(&bytes))
 }
 
 /// The bytes of a student's file; `None` if there is none, or it is no file of a solution's size: a device, a pipe, a disk image.
