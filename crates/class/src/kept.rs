@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::results::Verdict;
 
 /// Where, in the folder of a report, what was judged is kept: one file a submission.
-pub(crate) const FOLDER: &str = "judged";
+pub const FOLDER: &str = "judged";
 
 /// A submission's verdicts, and on what they depend.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -14,12 +14,15 @@ mod kept;
 mod merge;
 mod outline;
 mod partition;
+mod report_folder;
 pub mod results;
 mod sum;
 mod verdict;
 
 pub use changes::{Change, Changes, changes};
 pub use grading::{GradeError, Grading, Write};
+pub use kept::FOLDER as KEPT;
 pub use merge::{MergeError, RESULTS, merge, read, read_with_pictures};
 pub use outline::course;
 pub use partition::{NoPartition, Partition};
+pub use report_folder::{RUN, files, read_run, run_json};

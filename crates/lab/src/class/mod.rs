@@ -1,9 +1,11 @@
 //! How is a class graded? Commands for lecturers; each has a file of its name.
 //!
-//! [`args`] says what can be typed.
+//! [`args`] says what can be typed, [`report`] puts files on the disk.
 
 mod args;
 mod grade;
+mod merge;
+mod report;
 
 pub(crate) use args::Command;
 
@@ -17,5 +19,6 @@ use crate::failure::Failure;
 pub(crate) fn run(command: &Command) -> Result<Outcome, Failure> {
     match command {
         Command::Grade(asked) => grade::run(asked),
+        Command::Merge(asked) => merge::run(asked),
     }
 }

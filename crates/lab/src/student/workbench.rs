@@ -30,7 +30,7 @@ pub(crate) struct Workbench {
     /// Where verdicts are remembered and pictures drawn: beside the exercises, so that cleaning what was built loses nothing.
     pub(crate) home: PathBuf,
     /// Where things are compiled; all of it can be made again.
-    scratch: PathBuf,
+    pub(crate) scratch: PathBuf,
 }
 
 impl Workbench {
