@@ -27,8 +27,8 @@ pub(crate) fn run(asked: &GradeArgs) -> Result<Outcome, Failure> {
         warn(remark);
     }
     let old = asked.compare.as_deref().map(read).transpose().map_err(|e| not_a_report(&e))?;
-    report::prepare(&asked.out, asked.resume)?;
     not_among_submissions(asked)?;
+    report::prepare(&asked.out, asked.resume)?;
     let seeds = seeds(asked);
     let run = asked.out.join(RUN);
     write(&run, &run_json(&seeds)).map_err(|e| report::unwritten(&run, &e))?;
@@ -65,8 +65,11 @@ pub(super) fn not_a_report(error: &class::MergeError) -> Failure {
 
 /// The next run would take the report for a student.
 fn not_among_submissions(asked: &GradeArgs) -> Result<(), Failure> {
-    let real = |path: &Path| fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    if real(&asked.out).starts_with(real(&asked.submissions)) {
+    let Ok(submissions) = fs::canonicalize(&asked.submissions) else { return Ok(()) };
+    let report = std::path::absolute(&asked.out).unwrap_or_else(|_| asked.out.clone());
+    // The folder need not be there yet: the nearest one that is says where it will be.
+    let place = report.ancestors().find_map(|folder| fs::canonicalize(folder).ok()).unwrap_or(report);
+    if place.starts_with(submissions) {
         return Err(Failure::new(
             format!("the report {} would lie among the submissions", asked.out.display()),
             "name another folder with --out",
