@@ -1,0 +1,125 @@
+//! What is a student told about an exercise, in plain text? The same words wherever they are shown.
+//!
+//! Every text is harmless ([`plain`](super::foreign::plain)) and of a bounded length, but nothing is escaped yet.
+
+use crate::results::{Counterexample, LawResult, LawVerdict, LooksLike, Outcome, Verdict};
+
+use super::foreign::{cut, plain};
+
+/// So many bytes of what rustc says are shown.
+const MOST_OF_THE_COMPILER: usize = 12_000;
+/// So many bytes of what the student's code printed are shown…
+const MOST_PRINTED: usize = 4_000;
+/// …and so many of a sentence or of a value.
+const MOST_OF_A_SENTENCE: usize = 2_000;
+
+/// "wrong, 6 of 10 points".
+pub(crate) fn headline(verdict: &Verdict) -> String {
+    format!("{}, {} of {} points", verdict.outcome.word(), verdict.points, verdict.of)
+}
+
+/// What happened, in a sentence or two. What went wrong inside of the grader is the staff's business.
+pub(crate) fn sentence(verdict: &Verdict) -> Option<String> {
+    if verdict.outcome == Outcome::GraderError {
+        return Some(GRADER_ERROR.to_owned());
+    }
+    verdict.sentence.as_deref().map(|text| cut(plain(text).trim(), MOST_OF_A_SENTENCE))
+}
+
+/// What a student is told where the grader failed.
+pub(crate) const GRADER_ERROR: &str =
+    "Something went wrong in the grader, not in your file. A person has to look at it; it shall cost you no points.";
+
+/// What rustc says.
+pub(crate) fn compiler(verdict: &Verdict) -> Option<String> {
+    let text = verdict.compiler.as_deref().map(plain)?;
+    let text = text.trim_end();
+    (!text.is_empty()).then(|| cut(text, MOST_OF_THE_COMPILER))
+}
+
+/// What the student's code printed.
+pub(crate) fn printed(verdict: &Verdict) -> Option<String> {
+    // Megabytes need not be looked through for their first lines.
+    let mut end = verdict.printed.len().min(4 * MOST_PRINTED);
+    while !verdict.printed.is_char_boundary(end) {
+        end -= 1;
+    }
+    let text = plain(&verdict.printed[..end]);
+    let text = text.trim_end();
+    if text.is_empty() {
+        return None;
+    }
+    let left_out = verdict.printed.len() - end;
+    let shown = cut(text, MOST_PRINTED);
+    Some(if left_out > 0 { format!("{shown}\n… ({left_out} more bytes)") } else { shown })
+}
+
+/// "This looks like: …", and what would help.
+pub(crate) fn looks_like(it: &LooksLike) -> (String, String) {
+    let surely =
+        format!("the same answer on {} of {} inputs that tell", it.agreeing, it.telling);
+    (format!("This looks like: {} ({surely}).", plain(&it.what)), plain(&it.help))
+}
+
+/// "held for 256 inputs".
+pub(crate) fn law_in_words(law: &LawVerdict) -> String {
+    match &law.result {
+        LawResult::Kept(inputs) => format!("held for {inputs} inputs"),
+        LawResult::Failed(Counterexample { example: Some(_), .. }) => "a worked example fails".to_owned(),
+        LawResult::Failed(_) => "does not hold".to_owned(),
+        LawResult::NotRun => "not tried".to_owned(),
+    }
+}
+
+/// What a counterexample begins with: which it is.
+pub(crate) fn which_counterexample(it: &Counterexample) -> String {
+    match &it.example {
+        Some(caption) => format!("In the worked example “{}”:", plain(caption)),
+        None if it.broken.is_some() => "The smallest input found that breaks it:".to_owned(),
+        None => "The call:".to_owned(),
+    }
+}
+
+/// The calls and what they gave, and what is wrong about it, in lines.
+pub(crate) fn calls(it: &Counterexample) -> String {
+    let short = |text: &str| cut(&plain(text), MOST_OF_A_SENTENCE);
+    let mut lines: Vec<String> = Vec::new();
+    for call in &it.calls {
+        lines.push(short(&call.call));
+        lines.push(format!("  gave {}", short(&call.gave)));
+    }
+    lines.extend(it.broken.iter().map(|broken| short(broken)));
+    lines.join("\n")
+}
+
+/// What would help, if it is about a value: where a call gave none, the sentence says all.
+pub(crate) fn help(it: &Counterexample) -> Option<String> {
+    it.broken.as_ref().map(|_| plain(&it.help)).filter(|help| !help.is_empty())
+}
+
+/// A counterexample, whole.
+pub(crate) fn counterexample(it: &Counterexample) -> String {
+    let mut text = format!("{}\n{}", which_counterexample(it), calls(it));
+    if let Some(help) = help(it) {
+        text.push_str(&format!("\n{help}"));
+    }
+    text
+}
+
+/// All that is to say of an exercise beside its laws: what happened, rustc's words, the misconception, what was printed.
+pub(crate) fn beside_the_laws(verdict: &Verdict) -> String {
+    let mut parts: Vec<String> = Vec::new();
+    parts.extend(sentence(verdict));
+    parts.extend(compiler(verdict));
+    parts.extend(verdict.looks_like.as_ref().map(|it| {
+        let (what, help) = looks_like(it);
+        format!("{what}\n{help}")
+    }));
+    parts.extend(printed(verdict).map(|text| format!("Your code printed:\n{text}")));
+    parts.join("\n\n")
+}
+
+/// Repeats the verdict.
+pub(crate) fn again(verdict: &Verdict) -> String {
+    format!("cargo lab check --token {}", plain(&verdict.token))
+}
