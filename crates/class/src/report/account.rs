@@ -27,8 +27,7 @@ pub(crate) fn sentence(verdict: &Verdict) -> Option<String> {
 }
 
 /// What a student is told where the grader failed.
-pub(crate) const GRADER_ERROR: &str =
-    "Something went wrong in the grader, not in your file. A person has to look at it; it shall cost you no points.";
+pub(crate) const GRADER_ERROR: &str = "Something went wrong in the grader, not in your file. A person has to look at it; it shall cost you no points.";
 
 /// What rustc says.
 pub(crate) fn compiler(verdict: &Verdict) -> Option<String> {
@@ -56,8 +55,7 @@ pub(crate) fn printed(verdict: &Verdict) -> Option<String> {
 
 /// "This looks like: …", and what would help.
 pub(crate) fn looks_like(it: &LooksLike) -> (String, String) {
-    let surely =
-        format!("the same answer on {} of {} inputs that tell", it.agreeing, it.telling);
+    let surely = format!("the same answer on {} of {} inputs that tell", it.agreeing, it.telling);
     (format!("This looks like: {} ({surely}).", plain(&it.what)), plain(&it.help))
 }
 
@@ -106,7 +104,7 @@ pub(crate) fn counterexample(it: &Counterexample) -> String {
     text
 }
 
-/// All that is to say of an exercise beside its laws: what happened, rustc's words, the misconception, what was printed.
+/// What is to say of an exercise beside its laws: what happened, rustc's words, the misconception.
 pub(crate) fn beside_the_laws(verdict: &Verdict) -> String {
     let mut parts: Vec<String> = Vec::new();
     parts.extend(sentence(verdict));
@@ -115,7 +113,6 @@ pub(crate) fn beside_the_laws(verdict: &Verdict) -> String {
         let (what, help) = looks_like(it);
         format!("{what}\n{help}")
     }));
-    parts.extend(printed(verdict).map(|text| format!("Your code printed:\n{text}")));
     parts.join("\n\n")
 }
 

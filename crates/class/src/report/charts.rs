@@ -101,7 +101,9 @@ mod tests {
     fn every_submission_is_in_one_bar_and_all_points_in_the_last() {
         let html = histogram(&[0.0, 0.049, 0.05, 0.5, 1.0, 0.97], Some(0.5)).into_string();
         assert!(
-            html.contains("0 to 5 percent: 2, 5 to 10 percent: 1, 50 to 55 percent: 1, 95 to 100 percent: 2."),
+            html.contains(
+                "0 to 5 percent: 2, 5 to 10 percent: 1, 50 to 55 percent: 1, 95 to 100 percent: 2."
+            ),
             "{html}"
         );
     }

@@ -7,9 +7,9 @@ use crate::results::{Audience, Outcome, Results, Submission};
 use super::charts::{histogram, percent, share};
 use super::foreign::{line, plain};
 use super::groups::{self, Cluster};
+use super::page;
 use super::statistics::{self, Item};
 use super::submissions::{self, head, link};
-use super::page;
 
 const SCRIPT: &str = include_str!("class.js");
 /// The script's SHA-256: the page's policy admits no other script. A test says what it should be.
@@ -225,8 +225,10 @@ fn members(members: &[&Submission], shared: Markup) -> Markup {
 }
 
 fn outcomes(items: &[Item<'_>]) -> Markup {
-    let seen: Vec<Outcome> =
-        Outcome::ALL.into_iter().filter(|outcome| items.iter().any(|it| it.outcomes.contains_key(outcome))).collect();
+    let seen: Vec<Outcome> = Outcome::ALL
+        .into_iter()
+        .filter(|outcome| items.iter().any(|it| it.outcomes.contains_key(outcome)))
+        .collect();
     html! {
         div.scroll role="region" aria-labelledby="outcomes" tabindex="0" {
             table.sortable.counts {
@@ -271,7 +273,11 @@ fn notices(results: &Results) -> Markup {
 }
 
 fn judged_by(results: &Results) -> Markup {
-    let seeds = if results.seeds.per_student { "each student has inputs of their own" } else { "the same inputs for everyone" };
+    let seeds = if results.seeds.per_student {
+        "each student has inputs of their own"
+    } else {
+        "the same inputs for everyone"
+    };
     html! {
         p.soft {
             "Judged by course version " code { (line(&results.course.version)) } ", seed " code { (results.seeds.seed) } " (" (seeds) "). "

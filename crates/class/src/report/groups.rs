@@ -85,9 +85,7 @@ fn broken(verdict: &Verdict) -> impl Iterator<Item = &str> {
 }
 
 /// Those who have the same failures, and at least one.
-fn clusters<'a>(
-    all: impl Iterator<Item = (&'a Submission, Vec<(&'a str, &'a str)>)>,
-) -> Vec<Cluster<'a>> {
+fn clusters<'a>(all: impl Iterator<Item = (&'a Submission, Vec<(&'a str, &'a str)>)>) -> Vec<Cluster<'a>> {
     let mut by_failures: BTreeMap<BTreeSet<(&str, &str)>, Cluster<'_>> = BTreeMap::new();
     for (submission, failures) in all.filter(|(_, failures)| !failures.is_empty()) {
         let key = failures.iter().copied().collect();
@@ -97,7 +95,10 @@ fn clusters<'a>(
     by_failures.into_values().filter(|cluster| cluster.members.len() > 1).collect()
 }
 
-fn verdicts<'a>(results: &'a Results, exercise: &'a str) -> impl Iterator<Item = (&'a Submission, &'a Verdict)> {
+fn verdicts<'a>(
+    results: &'a Results,
+    exercise: &'a str,
+) -> impl Iterator<Item = (&'a Submission, &'a Verdict)> {
     results.submissions.iter().flat_map(move |submission| {
         submission.verdicts.iter().filter(move |it| it.exercise == exercise).map(move |it| (submission, it))
     })

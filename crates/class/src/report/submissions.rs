@@ -46,7 +46,8 @@ pub(crate) fn head(name: &str, number: bool) -> Markup {
 
 fn row(results: &Results, submission: &Submission) -> Markup {
     let passed = submission.verdicts.iter().filter(|it| it.outcome == Outcome::Passed).count();
-    let share = if submission.of == 0 { 0.0 } else { f64::from(submission.points) / f64::from(submission.of) };
+    let share =
+        if submission.of == 0 { 0.0 } else { f64::from(submission.points) / f64::from(submission.of) };
     html! {
         tr data-words=(words(submission)) {
             th scope="row" { (link(submission)) }
