@@ -86,8 +86,25 @@ pub(crate) fn calls(it: &Counterexample) -> String {
         lines.push(short(&call.call));
         lines.push(format!("  gave {}", short(&call.gave)));
     }
-    lines.extend(it.broken.iter().map(|broken| short(broken)));
+    lines.extend(it.broken.iter().map(|broken| under_each_other(&short(broken))));
     lines.join("\n")
+}
+
+/// "x is 1, should be 2" in two lines whose values stand under each other, so that the eye can compare.
+fn under_each_other(broken: &str) -> String {
+    let parts = broken.rsplit_once(", should be ");
+    let Some(((what, given), wanted)) = parts.and_then(|(is, be)| Some((is.split_once(" is ")?, be))) else {
+        return broken.to_owned();
+    };
+    let is = format!("{what} is");
+    let width = is.chars().count().max("should be".len());
+    format!("{is:>width$} {given}\n{:>width$} {wanted}", "should be")
+}
+
+/// The law whose counterexample is shown first, and which is drawn: the first that fails, a worked example only if all others hold.
+pub(crate) fn shown_first(laws: &[LawVerdict]) -> Option<&LawVerdict> {
+    let (examples, laws) = laws.split_at(laws.len().min(1));
+    laws.iter().chain(examples).find(|law| matches!(law.result, LawResult::Failed(_)))
 }
 
 /// What would help, if it is about a value: where a call gave none, the sentence says all.
@@ -119,4 +136,18 @@ pub(crate) fn beside_the_laws(verdict: &Verdict) -> String {
 /// Repeats the verdict.
 pub(crate) fn again(verdict: &Verdict) -> String {
     format!("cargo lab check --token {}", plain(&verdict.token))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_and_what_should_be_stand_under_each_other() {
+        assert_eq!(
+            under_each_other("M·p is (0, 0, 1), should be (0, -0.25, 1)"),
+            "   M·p is (0, 0, 1)\nshould be (0, -0.25, 1)"
+        );
+        assert_eq!(under_each_other("the order is not the same"), "the order is not the same");
+    }
 }

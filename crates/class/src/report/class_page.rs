@@ -5,11 +5,11 @@ use maud::{Markup, html};
 use crate::results::{Audience, Outcome, Results, Submission};
 
 use super::charts::{histogram, percent, share};
-use super::foreign::{line, plain};
-use super::groups::{self, Cluster};
-use super::page;
+use super::foreign::line;
+use super::groups::{self, Cluster, Diagnosis};
 use super::statistics::{self, Item};
 use super::submissions::{self, head, link};
+use super::{page, prose};
 
 const SCRIPT: &str = include_str!("class.js");
 /// The script's SHA-256: the page's policy admits no other script. A test says what it should be.
@@ -103,7 +103,7 @@ fn distribution(results: &Results) -> Markup {
     let of = results.submissions.iter().map(|it| it.of).max().unwrap_or(0);
     html! {
         p.soft { "How many submissions have which share of the " (of) " points." }
-        (histogram(&shares, statistics::mean(&shares)))
+        div.scroll role="region" aria-labelledby="distribution" tabindex="0" { (histogram(&shares, statistics::mean(&shares))) }
     }
 }
 
@@ -154,7 +154,7 @@ fn laws(item: &Item<'_>) -> Markup {
                     @let tried = count.kept + count.failed;
                     li {
                         (share((tried > 0).then(|| count.kept as f64 / tried as f64)))
-                        span { (count.law.statement) " " span.soft { "(" (count.kept) " of " (tried) " keep it)" } }
+                        span { (prose(&count.law.statement)) " " span.soft { "(" (count.kept) " of " (tried) " keep it)" } }
                     }
                 }
             }
@@ -164,58 +164,64 @@ fn laws(item: &Item<'_>) -> Markup {
 
 fn misconceptions(results: &Results) -> Markup {
     let found = groups::misconceptions(results);
-    html! {
-        @if found.is_empty() { p { "No answers are those of a known misconception." } } @else {
-            p.soft { "Whose answers are, input for input, those of a known wrong program." }
-            ol.groups {
-                @for it in &found {
-                    li {
-                        (members(&it.members, html! {
-                            "This looks like: " (plain(it.what)) " " code.soft { (it.exercise) " / " (it.name) }
-                        }))
-                    }
-                }
-            }
+    let most = found.first().map_or(1, |it| it.members.len());
+    let shared = |it: &Diagnosis<'_>| {
+        html! {
+            span.meter aria-hidden="true" { span style={ "width:" (100 * it.members.len() / most) "%" } {} }
+            (prose(it.what)) " " code.soft { (it.exercise) " / " (it.name) }
         }
+    };
+    let listed = found.iter().map(|it| group(&it.members, &shared(it))).collect();
+    html! {
+        p.soft { "Whose answers are, input for input, those of a known wrong program. This looks like:" }
+        (groups_list(listed, "No answers are those of a known misconception."))
     }
 }
 
 fn clusters(results: &Results) -> Markup {
-    let (course, by_exercise) =
-        (groups::clusters_of_the_course(results), groups::clusters_by_exercise(results));
+    let listed = |clusters: Vec<Cluster<'_>>| {
+        clusters.iter().map(|it| group(&it.members, &failures(&it.failures))).collect()
+    };
     html! {
         p.soft { "Submissions that break exactly the same laws: one explanation helps all of them, or they worked together." }
         h3 { "In the whole course" }
-        (cluster_list(&course, "No two submissions with a fault have all faults in common."))
+        (groups_list(listed(groups::clusters_of_the_course(results)), "No two submissions with a fault have all faults in common."))
         h3 { "In one exercise" }
-        (cluster_list(&by_exercise, "No two submissions break the same laws of an exercise."))
+        (groups_list(listed(groups::clusters_by_exercise(results)), "No two submissions break the same laws of an exercise."))
     }
 }
 
-fn cluster_list(clusters: &[Cluster<'_>], none: &str) -> Markup {
-    /// More are listed when asked for.
-    const SHOWN: usize = 6;
+/// What the members of a cluster have in common: "lambert: is_linear, facing_away; halfway: not started".
+fn failures(failures: &[(&str, &str)]) -> Markup {
+    /// More would not be read.
+    const SHOWN: usize = 8;
+    let shown = &failures[..failures.len().min(SHOWN)];
     html! {
-        @if clusters.is_empty() { p { (none) } } @else {
-            ol.groups {
-                @for cluster in clusters {
-                    li {
-                        (members(&cluster.members, html! {
-                            @for (at, (exercise, law)) in cluster.failures.iter().take(SHOWN).enumerate() {
-                                @if at > 0 { ", " }
-                                code { (exercise) } ": " (law)
-                            }
-                            @if cluster.failures.len() > SHOWN { ", and " (cluster.failures.len() - SHOWN) " more" }
-                        }))
-                    }
-                }
-            }
+        @for (at, of_exercise) in shown.chunk_by(|a, b| a.0 == b.0).enumerate() {
+            @if at > 0 { "; " }
+            code { (of_exercise[0].0) } ": "
+            (of_exercise.iter().map(|(_, law)| law.replace('_', " ")).collect::<Vec<_>>().join(", "))
+        }
+        @if failures.len() > SHOWN { "; and " (failures.len() - SHOWN) " more" }
+    }
+}
+
+/// The first groups, the others where they are asked for.
+fn groups_list(groups: Vec<Markup>, none: &str) -> Markup {
+    const SHOWN: usize = 12;
+    let list = |groups: &[Markup]| html! { ol.groups { @for group in groups { li { (group) } } } };
+    html! {
+        @if groups.is_empty() { p { (none) } }
+        @else if groups.len() <= SHOWN + 1 { (list(&groups)) }
+        @else {
+            (list(&groups[..SHOWN]))
+            details { summary { "The other " (groups.len() - SHOWN) } (list(&groups[SHOWN..])) }
         }
     }
 }
 
 /// A group by its size and what its members share; who they are is shown when asked for.
-fn members(members: &[&Submission], shared: Markup) -> Markup {
+fn group(members: &[&Submission], shared: &Markup) -> Markup {
     html! {
         details {
             summary { span.size { (members.len()) } span { (shared) } }

@@ -8,7 +8,7 @@ use crate::results::{
 
 use super::account;
 use super::foreign::{is_harmless_svg, line, plain};
-use super::{law_mark, mark, page, tone};
+use super::{law_mark, mark, page, prose, tone};
 
 /// A student's page. What is for the staff alone is not in it; nothing on it runs.
 pub fn feedback_page(course: &Course, submission: &Submission) -> String {
@@ -96,12 +96,11 @@ fn article(exercise: Option<&Exercise>, verdict: &Verdict) -> Markup {
             } @else {
                 (laws(exercise, verdict))
             }
-            (failures(exercise, verdict))
             @if let Some(it) = &verdict.looks_like {
                 @let (what, help) = account::looks_like(it);
-                div.looks-like { p { strong { (what) } } p { (help) } }
+                div.looks-like { p { strong { (prose(&what)) } } p { (prose(&help)) } }
             }
-            (picture(verdict))
+            (failures(exercise, verdict))
             @if let Some(text) = account::printed(verdict) { (block("Your code printed", &text)) }
             @if !passed && !verdict.laws.is_empty() {
                 p.soft { "The same again: " code { (account::again(verdict)) } }
@@ -123,7 +122,7 @@ fn laws(exercise: Option<&Exercise>, verdict: &Verdict) -> Markup {
                     li class=(class) {
                         span.mark aria-hidden="true" { (law_mark(&law.result)) }
                         span.score { (law.points) "/" (law.of) }
-                        span { (statement(exercise, law)) " " span.soft { "(" (account::law_in_words(law)) ")" } }
+                        span { (prose(statement(exercise, law))) " " span.soft { "(" (account::law_in_words(law)) ")" } }
                     }
                 }
             }
@@ -135,24 +134,35 @@ fn statement<'a>(exercise: Option<&'a Exercise>, law: &'a LawVerdict) -> &'a str
     exercise.and_then(|it| it.law(&law.name)).map_or(&law.name, |it| &it.statement)
 }
 
-/// Each counterexample, beneath the law that it breaks.
+/// The counterexample to begin with and its drawing; those of other laws where they are asked for.
 fn failures(exercise: Option<&Exercise>, verdict: &Verdict) -> Markup {
+    let first = account::shown_first(&verdict.laws);
+    let is_first = |law: &LawVerdict| first.is_some_and(|first| std::ptr::eq(first, law));
     html! {
-        @for law in &verdict.laws {
+        @if let Some(LawVerdict { result: LawResult::Failed(it), .. }) = first {
+            section.counterexample {
+                @if let Some(law) = first { h3 { (prose(statement(exercise, law))) } }
+                (counterexample(it))
+                (picture(verdict))
+            }
+        }
+        @for law in verdict.laws.iter().filter(|law| !is_first(law)) {
             @if let LawResult::Failed(it) = &law.result {
-                section.counterexample {
-                    h3 { (statement(exercise, law)) }
-                    p { (account::which_counterexample(it)) }
-                    (calls(it))
-                    @if let Some(help) = account::help(it) { p.help { (help) } }
+                details.counterexample {
+                    summary { (prose(statement(exercise, law))) }
+                    (counterexample(it))
                 }
             }
         }
     }
 }
 
-fn calls(it: &Counterexample) -> Markup {
-    html! { pre tabindex="0" { (account::calls(it)) } }
+fn counterexample(it: &Counterexample) -> Markup {
+    html! {
+        p { (account::which_counterexample(it)) }
+        pre.calls tabindex="0" { (account::calls(it)) }
+        @if let Some(help) = account::help(it) { p.help { (prose(&help)) } }
+    }
 }
 
 /// The drawing as part of the page, with the page's colours; where it is no drawing, its text.

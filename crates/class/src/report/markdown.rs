@@ -46,15 +46,16 @@ fn section(exercise: Option<&Exercise>, verdict: &Verdict) -> String {
         let laws: Vec<String> = verdict.laws.iter().map(|law| law_item(exercise, law)).collect();
         parts.push(laws.join("\n"));
     }
-    for law in &verdict.laws {
-        parts.extend(counterexample(law));
-    }
     if let Some(it) = &verdict.looks_like {
         let (what, help) = account::looks_like(it);
         parts.push(format!("**{}** {}", escaped(&what), escaped(&help)));
     }
+    let first = account::shown_first(&verdict.laws);
+    parts.extend(first.and_then(counterexample));
     let drawn = verdict.picture.as_ref().and_then(|picture| picture.text.as_deref());
     parts.extend(drawn.map(|text| fence(plain(text).trim_end())));
+    let others = verdict.laws.iter().filter(|law| !first.is_some_and(|first| std::ptr::eq(first, *law)));
+    parts.extend(others.filter_map(counterexample));
     parts.extend(account::printed(verdict).map(|text| format!("Your code printed:\n\n{}", fence(&text))));
     if verdict.outcome != Outcome::Passed && !verdict.laws.is_empty() {
         parts.push(format!("The same again: {}", code(&account::again(verdict))));
@@ -73,9 +74,9 @@ fn counterexample(law: &LawVerdict) -> Option<String> {
     let LawResult::Failed(it) = &law.result else { return None };
     let help = account::help(it).map_or(String::new(), |help| format!("\n\n{}", escaped(&help)));
     Some(format!(
-        "{} ({})\n\n{}{help}",
-        escaped(&account::which_counterexample(it)),
+        "### {}\n\n{}\n\n{}{help}",
         code(&law.name),
+        escaped(&account::which_counterexample(it)),
         fence(&account::calls(it))
     ))
 }

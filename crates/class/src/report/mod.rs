@@ -59,6 +59,18 @@ fn tone(outcome: Outcome) -> &'static str {
     }
 }
 
+/// A sentence of the course, in which names stand between backticks.
+fn prose(text: &str) -> Markup {
+    let text = foreign::plain(text);
+    // Without a partner a backtick is a backtick.
+    let whole = text.matches('`').count() % 2 == 0;
+    html! {
+        @if whole {
+            @for (at, part) in text.split('`').enumerate() { @if at % 2 == 1 { code { (part) } } @else { (part) } }
+        } @else { (text) }
+    }
+}
+
 /// A page that asks nothing of any network, and runs `script` alone, which is told by its `fingerprint`.
 fn page(title: &str, style: &str, (script, fingerprint): (&str, &str), body: &Markup) -> String {
     let scripts = if script.is_empty() { String::new() } else { format!("; script-src '{fingerprint}'") };

@@ -266,7 +266,12 @@ fn wrong(exercise: &course::Exercise, k: usize, dice: &mut Dice) -> Verdict {
 }
 
 /// A submission, its points added up.
-pub(crate) fn submission(id: &str, student: &str, notices: Vec<Notice>, verdicts: Vec<Verdict>) -> Submission {
+pub(crate) fn submission(
+    id: &str,
+    student: &str,
+    notices: Vec<Notice>,
+    verdicts: Vec<Verdict>,
+) -> Submission {
     Submission {
         id: id.into(),
         student: student.into(),
