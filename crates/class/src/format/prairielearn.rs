@@ -3,8 +3,8 @@
 //! `gradable: false` makes a submission invalid: no attempt is lost, and no points. So it is with one of which nothing could be judged, since
 //! nothing compiles or is there, and with one on which the grader itself failed; then `format_errors` says why and there is no score.
 //!
-//! A picture's `url` goes into an `<img>` as it is, so a drawing is an SVG there: in an image nothing of it can run. Pictures are left out where
-//! the file would be too long.
+//! A picture's `url` goes into an `<img>` as it is, so a drawing is an SVG there: in an image nothing of it can run. The last pictures are left out
+//! where they would take too much of the file.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -19,8 +19,8 @@ use super::{json, within};
 
 /// A longer file is refused; a little is kept back.
 const MOST: usize = 990_000;
-/// Texts shorter than this would leave too little, while pictures are there.
-const LEAST_BESIDE_PICTURES: usize = 2_000;
+/// So much of it may be pictures.
+const MOST_OF_PICTURES: usize = 600_000;
 
 #[derive(Serialize)]
 struct Results {
@@ -52,15 +52,10 @@ struct Image {
 }
 
 pub(super) fn results(course: &Course, submission: &Submission) -> String {
-    let with_pictures =
-        within(MOST, |length| whole(course, submission, length.max(LEAST_BESIDE_PICTURES), true));
-    if with_pictures.len() <= MOST {
-        return with_pictures;
-    }
-    within(MOST, |length| whole(course, submission, length, false))
+    within(MOST, |length| whole(course, submission, length))
 }
 
-fn whole(course: &Course, submission: &Submission, length: usize, pictures: bool) -> String {
+fn whole(course: &Course, submission: &Submission, length: usize) -> String {
     let suites = suites(course, submission, Printed::Apart);
     let format_errors = why_not_gradable(&suites, length);
     let gradable = format_errors.is_empty();
@@ -69,12 +64,13 @@ fn whole(course: &Course, submission: &Submission, length: usize, pictures: bool
     let said: Vec<String> = std::iter::once(format!("{} of {} points", submission.points, submission.of))
         .chain(notices(submission))
         .collect();
+    let mut room = MOST_OF_PICTURES;
     json(&Results {
         gradable,
         score: gradable.then_some(share),
         format_errors,
         message: cut(&said.join("\n"), length.max(100)),
-        tests: suites.iter().flat_map(|suite| tests(suite, length, pictures)).collect(),
+        tests: suites.iter().flat_map(|suite| tests(suite, length, &mut room)).collect(),
     })
 }
 
@@ -96,8 +92,8 @@ fn why_not_gradable(suites: &[Suite<'_>], length: usize) -> Vec<String> {
     }
 }
 
-fn tests(suite: &Suite<'_>, length: usize, pictures: bool) -> Vec<Test> {
-    let mut images = if pictures { image(suite) } else { Vec::new() };
+fn tests(suite: &Suite<'_>, length: usize, room: &mut usize) -> Vec<Test> {
+    let mut images = image(suite, room);
     let mut printed = account::printed(suite.verdict).unwrap_or_default();
     let mut test = |test: &OurTest| {
         // What belongs to the exercise stands with its first law that is not kept.
@@ -119,11 +115,12 @@ fn tests(suite: &Suite<'_>, length: usize, pictures: bool) -> Vec<Test> {
     suite.tests.iter().map(&mut test).collect()
 }
 
-fn image(suite: &Suite<'_>) -> Vec<Image> {
+/// The drawing, if there is room for it.
+fn image(suite: &Suite<'_>, room: &mut usize) -> Vec<Image> {
     let drawn = suite.verdict.picture.as_ref().filter(|picture| is_harmless_svg(&picture.svg));
-    let image = |svg: &str| Image {
-        label: format!("{}: the counterexample, drawn", suite.name),
-        url: format!("data:image/svg+xml;base64,{}", STANDARD.encode(svg)),
-    };
-    drawn.map(|picture| image(&picture.svg)).into_iter().collect()
+    let Some(picture) = drawn else { return Vec::new() };
+    let url = format!("data:image/svg+xml;base64,{}", STANDARD.encode(&picture.svg));
+    let Some(left) = room.checked_sub(url.len()) else { return Vec::new() };
+    *room = left;
+    vec![Image { label: format!("{}: the counterexample, drawn", suite.name), url }]
 }

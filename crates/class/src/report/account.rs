@@ -4,7 +4,7 @@
 
 use crate::results::{Counterexample, LawResult, LawVerdict, LooksLike, Outcome, Verdict};
 
-use super::foreign::{cut, plain};
+use super::foreign::{beginning, plain};
 
 /// So many bytes of what rustc says are shown.
 const MOST_OF_THE_COMPILER: usize = 12_000;
@@ -23,7 +23,7 @@ pub(crate) fn sentence(verdict: &Verdict) -> Option<String> {
     if verdict.outcome == Outcome::GraderError {
         return Some(GRADER_ERROR.to_owned());
     }
-    verdict.sentence.as_deref().map(|text| cut(plain(text).trim(), MOST_OF_A_SENTENCE))
+    verdict.sentence.as_deref().map(|text| beginning(text, MOST_OF_A_SENTENCE))
 }
 
 /// What a student is told where the grader failed.
@@ -31,26 +31,14 @@ pub(crate) const GRADER_ERROR: &str = "Something went wrong in the grader, not i
 
 /// What rustc says.
 pub(crate) fn compiler(verdict: &Verdict) -> Option<String> {
-    let text = verdict.compiler.as_deref().map(plain)?;
-    let text = text.trim_end();
-    (!text.is_empty()).then(|| cut(text, MOST_OF_THE_COMPILER))
+    let text = beginning(verdict.compiler.as_deref()?, MOST_OF_THE_COMPILER);
+    (!text.is_empty()).then_some(text)
 }
 
 /// What the student's code printed.
 pub(crate) fn printed(verdict: &Verdict) -> Option<String> {
-    // Megabytes need not be looked through for their first lines.
-    let mut end = verdict.printed.len().min(4 * MOST_PRINTED);
-    while !verdict.printed.is_char_boundary(end) {
-        end -= 1;
-    }
-    let text = plain(&verdict.printed[..end]);
-    let text = text.trim_end();
-    if text.is_empty() {
-        return None;
-    }
-    let left_out = verdict.printed.len() - end;
-    let shown = cut(text, MOST_PRINTED);
-    Some(if left_out > 0 { format!("{shown}\n… ({left_out} more bytes)") } else { shown })
+    let text = beginning(&verdict.printed, MOST_PRINTED);
+    (!text.is_empty()).then_some(text)
 }
 
 /// "This looks like: …", and what would help.
@@ -80,7 +68,7 @@ pub(crate) fn which_counterexample(it: &Counterexample) -> String {
 
 /// The calls and what they gave, and what is wrong about it, in lines.
 pub(crate) fn calls(it: &Counterexample) -> String {
-    let short = |text: &str| cut(&plain(text), MOST_OF_A_SENTENCE);
+    let short = |text: &str| beginning(text, MOST_OF_A_SENTENCE);
     let mut lines: Vec<String> = Vec::new();
     for call in &it.calls {
         lines.push(short(&call.call));

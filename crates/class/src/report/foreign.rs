@@ -81,6 +81,19 @@ pub fn cut(text: &str, most: usize) -> String {
     if end + remark.len() <= most { format!("{}{remark}", &text[..end]) } else { String::new() }
 }
 
+/// The beginning of what [`plain`] makes of a text, at most so many bytes and a remark. Of megabytes only the beginning is looked at.
+pub fn beginning(text: &str, most: usize) -> String {
+    // Escape sequences vanish: a few times as much is looked at.
+    let mut end = text.len().min(4 * most);
+    while !text.is_char_boundary(end) {
+        end -= 1;
+    }
+    let shown = plain(&text[..end]);
+    let shown = cut(shown.trim_end(), most);
+    let left_out = text.len() - end;
+    if left_out > 0 { format!("{shown}\n… ({left_out} more bytes)") } else { shown }
+}
+
 /// Whether it is SVG that may become a part of a page: well-formed, and without anything that runs or loads.
 pub fn is_harmless_svg(svg: &str) -> bool {
     let Ok(document) = roxmltree::Document::parse(svg) else { return false };
@@ -144,6 +157,15 @@ mod tests {
                 assert!(text.starts_with(kept));
             }
         }
+    }
+
+    #[test]
+    fn of_megabytes_the_beginning_is_shown_and_the_rest_is_counted() {
+        let text = "abc\x1b[1m".repeat(1_000_000);
+        let shown = beginning(&text, 100);
+        assert!(shown.starts_with("abcabc") && shown.len() < 200, "{shown}");
+        assert!(shown.ends_with(&format!("… ({} more bytes)", text.len() - 400)), "{shown}");
+        assert_eq!(beginning("abc\n\n", 100), "abc");
     }
 
     #[test]
