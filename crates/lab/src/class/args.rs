@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
 use class::Partition;
+use class::format::Format;
 
 const GRADE_EXAMPLES: &str = "\
 Examples:
@@ -29,6 +30,8 @@ pub(crate) enum Command {
     Grade(GradeArgs),
     /// Put the parts of a partitioned grading together
     Merge(MergeArgs),
+    /// Write an autograder for a course platform
+    Export(ExportArgs),
 }
 
 /// `cargo lab grade`.
@@ -66,6 +69,11 @@ pub(crate) struct GradeArgs {
     #[arg(long, value_name = "OLD_REPORT")]
     pub(crate) compare: Option<PathBuf>,
 
+    /// A file for each student in what a platform reads, too: gradescope, codegrade-v1, codegrade-v2, junit, exercism,
+    /// github-classroom, prairielearn; several with commas
+    #[arg(long, value_name = "FORMAT", value_delimiter = ',')]
+    pub(crate) format: Vec<Format>,
+
     /// So many submissions at a time [default: the number of processors]
     #[arg(long, value_name = "N")]
     pub(crate) jobs: Option<usize>,
@@ -89,6 +97,38 @@ pub(crate) struct MergeArgs {
     /// Where the report goes: a new or empty folder
     #[arg(long, value_name = "REPORT")]
     pub(crate) out: PathBuf,
+
+    /// A file for each student in what a platform reads, too: gradescope, codegrade-v1, codegrade-v2, junit, exercism,
+    /// github-classroom, prairielearn; several with commas
+    #[arg(long, value_name = "FORMAT", value_delimiter = ',')]
+    pub(crate) format: Vec<Format>,
+}
+
+/// `cargo lab export`.
+#[derive(Args, Debug)]
+pub(crate) struct ExportArgs {
+    /// Which platform
+    #[arg(value_name = "PLATFORM")]
+    pub(crate) platform: Platform,
+
+    /// Where the autograder goes: a new or empty folder
+    #[arg(value_name = "DIR")]
+    pub(crate) folder: PathBuf,
+
+    /// Let students' code run without the sandbox there, for a container that does not have what it is made of
+    #[arg(long)]
+    pub(crate) unsafe_no_sandbox: bool,
+}
+
+/// A platform that runs autograders.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Platform {
+    /// A zip to upload
+    Gradescope,
+    /// A workflow for the students' repository
+    GithubClassroom,
+    /// Scripts for AutoTest V1 and V2
+    Codegrade,
 }
 
 /// Which inputs.

@@ -34,7 +34,7 @@ pub(crate) fn run(asked: &GradeArgs) -> Result<Outcome, Failure> {
     write(&run, &run_json(&seeds)).map_err(|e| report::unwritten(&run, &e))?;
     let scratch = Scratch::beside(&bench.scratch, &asked.out)?;
     let results = threads(asked.jobs)?.install(|| graded(asked, &bench, &class, seeds, &scratch.0))?;
-    report::write_all(&asked.out, &results)?;
+    report::write_all(&asked.out, &results, &asked.format)?;
     said(asked, &results)?;
     let changed = old.map(|old| changes(&old, &results));
     if let Some(changes) = &changed {

@@ -3,6 +3,7 @@
 //! [`args`] says what can be typed, [`report`] puts files on the disk.
 
 mod args;
+mod export;
 mod grade;
 mod merge;
 mod report;
@@ -20,5 +21,6 @@ pub(crate) fn run(command: &Command) -> Result<Outcome, Failure> {
     match command {
         Command::Grade(asked) => grade::run(asked),
         Command::Merge(asked) => merge::run(asked),
+        Command::Export(asked) => export::run(asked),
     }
 }

@@ -45,7 +45,7 @@ impl Lecturer {
     }
 
     fn says(&self, line: &str) -> Said {
-        Said::of(&mut self.command(line))
+        Said::from(self.command(line).output().expect("it runs"))
     }
 
     fn results(&self, report: &str) -> Json {
@@ -237,7 +237,14 @@ fn a_full_disk_is_an_error_and_not_half_a_table() {
         lecturer.path("").display()
     );
     lecturer.says("grade @class --out @warm");
-    let said = Said::of(Command::new("bash").args(["-c", &line]).current_dir(root()).stdin(Stdio::null()));
+    let said = Said::from(
+        Command::new("bash")
+            .args(["-c", &line])
+            .current_dir(root())
+            .stdin(Stdio::null())
+            .output()
+            .expect("it runs"),
+    );
     assert_eq!(said.code, Some(2), "{said:?}");
     assert!(said.err.contains("cannot write"), "{said:?}");
     assert!(!lecturer.path("report/results.json").exists());
