@@ -9,6 +9,8 @@ use serde_json::Value as Json;
 use tempfile::TempDir;
 
 use crate::desk::{LAB, Said, root};
+#[cfg(target_os = "linux")]
+use crate::made_up_class::{Points, Student, hand_in, honest, hostile};
 
 /// A class of small submissions, and a place for reports.
 struct Lecturer {
@@ -251,4 +253,64 @@ fn a_full_disk_is_an_error_and_not_half_a_table() {
     for name in files(&lecturer.path("report")).keys() {
         assert!(!name.ends_with(".tmp"), "{name} is left behind");
     }
+}
+
+/// Grades a made-up class and holds every verdict against what is known.
+#[cfg(target_os = "linux")]
+fn everyone_gets_what_they_should(students: &[Student]) {
+    let lecturer = Lecturer::new(&[]);
+    hand_in(&lecturer.path("class"), students);
+    let begun = std::time::Instant::now();
+    let said = lecturer.says("grade @class --out @report --quiet");
+    println!("{} submissions in {:.1} s", students.len(), begun.elapsed().as_secs_f32());
+    assert_eq!(said.code, Some(0), "{said:?}");
+    let results = lecturer.results("report");
+    let mut mistaken = Vec::new();
+    for student in students {
+        let submission = results["submissions"]
+            .as_array()
+            .expect("a list")
+            .iter()
+            .find(|it| it["student"] == student.name);
+        let submission = submission.unwrap_or_else(|| panic!("{:?} is missing", student.name));
+        for verdict in submission["verdicts"].as_array().expect("a list") {
+            let work = student.works.iter().find(|work| verdict["exercise"] == work.exercise.name);
+            let outcomes = work.map_or(&["missing"][..], |work| work.outcomes);
+            let looks_like = work.and_then(|work| work.looks_like);
+            let points = match work.map_or(Points::None, |work| work.points) {
+                Points::All => verdict["points"] == verdict["of"],
+                Points::None => verdict["points"] == 0,
+                Points::Some => verdict["points"].as_u64() < verdict["of"].as_u64(),
+            };
+            let right = outcomes.iter().any(|outcome| verdict["outcome"] == *outcome)
+                && points
+                && looks_like.is_none_or(|name| verdict["looks_like"]["misconception"] == name);
+            if !right {
+                mistaken.push(format!("{:?} in {}: {verdict:#}", student.name, verdict["exercise"]));
+            }
+        }
+    }
+    assert!(mistaken.is_empty(), "{} verdicts:\n{}", mistaken.len(), mistaken.join("\n"));
+    for left in ["/tmp/lightlab-was-here", "/dev/shm/lightlab-was-here"] {
+        assert!(!Path::new(left).exists(), "{left}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn in_a_small_class_everyone_gets_what_they_should_and_harms_nobody() {
+    let students: Vec<Student> =
+        hostile().into_iter().chain((0..4).map(|number| honest(number * 11))).collect();
+    everyone_gets_what_they_should(&students);
+}
+
+/// Takes minutes: `cargo test --release -p lab --test command_line two_hundred -- --ignored --nocapture`.
+#[cfg(target_os = "linux")]
+#[test]
+#[ignore = "takes minutes; the small class above is its pattern"]
+fn in_a_class_of_two_hundred_everyone_gets_what_they_should() {
+    let hostile = hostile();
+    let honest = (0..200 - hostile.len()).map(honest);
+    let students: Vec<Student> = honest.chain(hostile).collect();
+    everyone_gets_what_they_should(&students);
 }
