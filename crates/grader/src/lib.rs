@@ -14,6 +14,7 @@ mod judge;
 mod judgement;
 mod kit;
 mod process;
+mod rustc;
 mod token;
 
 pub use compile::Compiler;

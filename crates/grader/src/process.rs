@@ -1,21 +1,25 @@
 //! How is a worker asked, and how does one see that it will not answer any more?
 
-use std::io::{self, BufReader, Read};
-use std::path::PathBuf;
+use std::io::{self, BufRead, BufReader, Read};
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use course::{Answerer, Fault, Loss, Reply, Value};
+use course::{Answerer, Exercise, Fault, Loss, Reply, Value};
+use sandbox::{Calls, Confinement, Launcher, Takings};
 use worker::system::{self, Channel, Offer};
-use worker::wire::{self, Answer, Question, Ready};
+use worker::wire::{self, Answer, Panic, Question, Ready};
 
 /// So much of what a student's code prints is kept, in bytes; of the rest only the amount.
 const KEPT: usize = 16 << 10;
 
 /// So much of the end is kept, in bytes: the words with which Rust ends a process fit in.
 const LAST: usize = 1 << 10;
+
+/// A panic's message is kept up to so many characters.
+const LONGEST_WORDS: usize = 2000;
 
 /// A worker that does not even begin within this time is not to blame on the student's code: none of it runs until then.
 const TO_BEGIN: Duration = Duration::from_secs(20);
@@ -65,7 +69,11 @@ pub(crate) struct Process {
     worker: PathBuf,
     /// Which of the worker's functions is asked.
     function: u32,
+    /// The reference's function: decides whose fault it is that a question does not fit.
+    reference: worker::Function,
     limits: Limits,
+    /// Confines the worker.
+    launcher: Option<Launcher>,
     begun: Instant,
     running: Option<Running>,
     printed: [Arc<Mutex<Kept>>; 2],
@@ -99,28 +107,70 @@ impl Kept {
 }
 
 impl Process {
-    pub(crate) fn new(worker: PathBuf, function: u32, limits: Limits) -> Self {
-        Self { worker, function, limits, begun: Instant::now(), running: None, printed: Default::default() }
+    /// Asks one function of a worker, that of an exercise.
+    pub(crate) fn new(
+        worker: &Path,
+        function: u32,
+        exercise: &Exercise,
+        limits: Limits,
+        launcher: Option<&Launcher>,
+    ) -> Self {
+        Self {
+            worker: worker.to_owned(),
+            function,
+            reference: exercise.reference.function,
+            limits,
+            launcher: launcher.cloned(),
+            begun: Instant::now(),
+            running: None,
+            printed: Default::default(),
+        }
     }
 
-    /// Ends the worker and gives what it printed.
-    pub(crate) fn finish(mut self) -> Printed {
+    /// Starts the worker and lets it end.
+    pub(crate) fn rehearse(mut self) -> Result<(), Fault> {
+        self.running = Some(self.start()?);
+        Ok(())
+    }
+
+    /// Ends the worker; gives what it printed, and whether it sent more than it was asked for.
+    pub(crate) fn finish(mut self) -> (Printed, bool) {
+        let mut surplus = false;
         if let Some(mut running) = self.running.take() {
             // Nobody asks any more: an honest worker ends by itself and writes out what it still holds.
-            let _ = running.channel.shutdown(std::net::Shutdown::Both);
+            let _ = running.channel.shutdown(std::net::Shutdown::Write);
             wait(&mut running.child, LAST_WORDS);
             end(&mut running);
+            let _ = running.channel.set_read_timeout(Some(LAST_WORDS));
+            surplus = running.answers.fill_buf().is_ok_and(|rest| !rest.is_empty());
         }
         let [out, err] = &self.printed;
-        Printed { out: output(out), err: output(err) }
+        (Printed { out: output(out), err: output(err) }, surplus)
     }
 
-    fn start(&mut self) -> Result<Running, Fault> {
+    /// The command for a worker: confined if there is a launcher.
+    fn command(&self, address: &str) -> Command {
+        let Some(launcher) = &self.launcher else {
+            let mut command = Command::new(&self.worker);
+            command.arg(address).arg(self.limits.memory.to_string());
+            return command;
+        };
+        let takings = Takings { memory: self.limits.memory, cpu: self.limits.whole, ..Takings::default() };
+        let mut executable = sandbox::loaders();
+        executable.push(self.worker.clone());
+        let readable = sandbox::libraries();
+        let confinement = Confinement { readable, executable, ..Confinement::new(Calls::Computing, takings) };
+        let mut command = launcher.command(&confinement, &self.worker);
+        // It has its limit of memory already.
+        command.arg(address).arg("0");
+        command
+    }
+
+    fn start(&self) -> Result<Running, Fault> {
         let fault = |what: &str, e: io::Error| Fault(format!("{what}: {e}"));
         let offer = Offer::new().map_err(|e| fault("no channel to the worker", e))?;
-        let mut child = Command::new(&self.worker)
-            .arg(offer.address().map_err(|e| fault("no channel to the worker", e))?)
-            .arg(self.limits.memory.to_string())
+        let mut child = self
+            .command(&offer.address().map_err(|e| fault("no channel to the worker", e))?)
             .env_clear()
             .stdin(offer.stdin().map_err(|e| fault("no channel to the worker", e))?)
             .stdout(Stdio::piped())
@@ -148,8 +198,7 @@ impl Process {
         let (channel, answers) = match begun {
             Ok(ends) => ends,
             Err(e) => {
-                let _ = child.kill();
-                let _ = child.wait();
+                let _ = sandbox::end(&mut child);
                 return Err(fault("the worker does not connect", e));
             }
         };
@@ -173,7 +222,7 @@ impl Process {
     fn loss(&self, mut running: Running, silence: &Silence) -> Loss {
         if let Silence::Slow(limit) = silence {
             end(&mut running);
-            return Loss::TimedOut(u64::try_from(limit.as_millis()).unwrap_or(u64::MAX));
+            return timed_out(*limit);
         }
         // The channel is closed: the process is ending, or the student's code closed what is not its own.
         wait(&mut running.child, self.limits.time);
@@ -190,8 +239,17 @@ impl Process {
             (Silence::Strange(error), _) => {
                 Loss::Crashed(format!("it sent something that is no answer: {error}"))
             }
-            (_, Some(status)) => exited(status),
+            (_, Some(status)) => self.exited(status),
             (_, None) => Loss::Crashed("it closed the channel of answers".to_owned()),
+        }
+    }
+
+    fn exited(&self, status: ExitStatus) -> Loss {
+        match (system::signal(status), status.code()) {
+            (Some(signal), _) if system::is_out_of_time(signal) => timed_out(self.limits.whole),
+            (Some(signal), _) => Loss::Crashed(format!("ended by signal {signal}")),
+            (None, Some(code)) => Loss::Exited(code),
+            (None, None) => Loss::Crashed("ended".to_owned()),
         }
     }
 
@@ -200,21 +258,27 @@ impl Process {
         self.begun.elapsed() > self.limits.whole
     }
 
-    /// Reads so many answers. What cannot be asked is the error of a reply.
+    /// Reads the answers to questions. What cannot be asked is the error of a reply.
     fn read(
         &self,
         answers: &mut BufReader<Channel>,
-        count: usize,
+        questions: &[Vec<Value>],
         replies: &mut Vec<Result<Reply, Fault>>,
     ) -> Result<(), Silence> {
-        for _ in 0..count {
+        for question in questions {
             if self.is_over() {
                 return Err(Silence::Slow(self.limits.whole));
             }
             replies.push(match wire::receive::<Answer>(answers) {
                 Ok(Some(Answer::Value(value))) => Ok(Reply::Value(value)),
-                Ok(Some(Answer::Panicked(panic))) => Ok(Reply::Panicked(panic)),
-                Ok(Some(Answer::Misasked(what))) => Err(Fault(what)),
+                Ok(Some(Answer::Panicked(panic))) => Ok(Reply::Panicked(shortened(panic))),
+                // It may say so falsely: then the reference finds nothing wrong with the question.
+                Ok(Some(Answer::Misasked(what))) if (self.reference)(question.clone()).is_err() => {
+                    Err(Fault(what))
+                }
+                Ok(Some(Answer::Misasked(_))) => {
+                    return Err(Silence::Strange(io::ErrorKind::InvalidData.into()));
+                }
                 Ok(Some(Answer::TooLong(bytes))) => return Err(Silence::TooLong(bytes)),
                 Ok(None) => return Err(Silence::Closed),
                 Err(e) => {
@@ -230,6 +294,21 @@ impl Process {
         }
         Ok(())
     }
+}
+
+fn timed_out(limit: Duration) -> Loss {
+    Loss::TimedOut(u64::try_from(limit.as_millis()).unwrap_or(u64::MAX))
+}
+
+/// A panic whose message is no longer than anybody reads.
+fn shortened(mut panic: Panic) -> Panic {
+    for text in [&mut panic.message, &mut panic.file] {
+        if let Some((end, _)) = text.char_indices().nth(LONGEST_WORDS) {
+            text.truncate(end);
+            text.push('…');
+        }
+    }
+    panic
 }
 
 /// Why no further answer comes.
@@ -266,7 +345,7 @@ impl Answerer for Process {
                     }
                 }
             });
-            let ended = self.read(&mut running.answers, questions.len(), &mut replies);
+            let ended = self.read(&mut running.answers, questions, &mut replies);
             if ended.is_err() {
                 // So that the thread that writes comes to an end.
                 let _ = running.channel.shutdown(std::net::Shutdown::Both);
@@ -299,8 +378,7 @@ fn wait(child: &mut Child, patience: Duration) {
 
 /// Kills what still runs and waits for its last words.
 fn end(running: &mut Running) -> Option<ExitStatus> {
-    let _ = running.child.kill();
-    let status = running.child.wait().ok();
+    let status = sandbox::end(&mut running.child).ok();
     let patience = Instant::now() + LAST_WORDS;
     for output in running.outputs.drain(..) {
         while !output.is_finished() && Instant::now() < patience {
@@ -308,14 +386,6 @@ fn end(running: &mut Running) -> Option<ExitStatus> {
         }
     }
     status
-}
-
-fn exited(status: ExitStatus) -> Loss {
-    match (system::signal(status), status.code()) {
-        (Some(signal), _) => Loss::Crashed(format!("ended by signal {signal}")),
-        (None, Some(code)) => Loss::Exited(code),
-        (None, None) => Loss::Crashed("ended".to_owned()),
-    }
 }
 
 /// Reads all that is printed, so that printing never waits, and keeps the beginning.

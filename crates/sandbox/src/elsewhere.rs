@@ -29,6 +29,14 @@ pub fn end(child: &mut Child) -> std::io::Result<ExitStatus> {
     child.wait()
 }
 
+/// Waits until a program ends by itself.
+///
+/// # Errors
+/// What the system gives.
+pub fn finish(child: &mut Child) -> std::io::Result<ExitStatus> {
+    child.wait()
+}
+
 pub(crate) fn attempt(_what: &str, _arguments: &[OsString]) -> Option<bool> {
     None
 }

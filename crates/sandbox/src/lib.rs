@@ -4,7 +4,7 @@
 //! - [`Launcher`]: starts it so. The running program starts itself again, takes everything from itself that the confinement does not grant, and
 //!   then becomes the program that was asked for: nothing of that one runs before.
 //! - [`launched`]: the first thing in the main function of a program that launches.
-//! - [`end`]: ends a program with all that it started.
+//! - [`end`], [`finish`]: end a program with all that it started.
 //! - [`doctor`]: which of this the system enforces, each tried.
 //!
 //! Linux enforces it, on x86-64 and aarch64. Elsewhere [`Launcher::this_program`] gives nothing and [`doctor`] says so.
@@ -23,7 +23,7 @@ mod launcher;
 
 pub use checkup::{Check, Finding, doctor};
 pub use confinement::{Calls, Confinement, Takings, libraries, loaders, programs};
-pub use here::end;
+pub use here::{end, finish};
 pub use launcher::{Launcher, NOT_LAUNCHED, launched};
 
 #[cfg(doctest)]

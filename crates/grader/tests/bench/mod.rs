@@ -44,6 +44,7 @@ impl Bench {
             limits: Limits::default(),
             scratch: folder.path().join("scratch"),
             memory: None,
+            sandbox: None,
         };
         Self { folder, judge }
     }

@@ -91,20 +91,35 @@ fn drop_capabilities() -> rustix::io::Result<()> {
     rustix::thread::set_capabilities(None, kept)
 }
 
-/// Ends a program and all that it started, and waits for its end. For one that was started by [`crate::Launcher::command`]; of any other it ends the
-/// program alone.
+/// Ends a program and all that it started, at once. For one that was started by [`crate::Launcher::command`]; of any other it ends the program alone.
 ///
 /// # Errors
 /// What the system gives.
 pub fn end(child: &mut Child) -> io::Result<ExitStatus> {
-    if let Some(pid) = i32::try_from(child.id()).ok().and_then(Pid::from_raw)
-        // Not yet waited for: until then nobody else can have this number.
-        && rustix::process::waitid(WaitId::Pid(pid), WaitIdOptions::EXITED | WaitIdOptions::NOHANG | WaitIdOptions::NOWAIT)
-            .is_ok()
-    {
-        // There is no such group if the program is in that of this process.
-        let _ = rustix::process::kill_process_group(pid, Signal::KILL);
-    }
+    end_group(child, WaitIdOptions::NOHANG);
     let _ = child.kill();
     child.wait()
+}
+
+/// Waits until a program ends by itself, and then ends all that it started.
+///
+/// # Errors
+/// What the system gives.
+pub fn finish(child: &mut Child) -> io::Result<ExitStatus> {
+    end_group(child, WaitIdOptions::empty());
+    child.wait()
+}
+
+/// Ends the group of a program, which may still run or has not been waited for: until then nobody else can have its number.
+fn end_group(child: &Child, patience: WaitIdOptions) {
+    let Some(pid) = i32::try_from(child.id()).ok().and_then(Pid::from_raw) else { return };
+    let options = WaitIdOptions::EXITED | WaitIdOptions::NOWAIT | patience;
+    // Waiting may be interrupted by a signal.
+    while let Err(error) = rustix::process::waitid(WaitId::Pid(pid), options) {
+        if error != rustix::io::Errno::INTR {
+            return;
+        }
+    }
+    // There is no such group if the program is in that of this process.
+    let _ = rustix::process::kill_process_group(pid, Signal::KILL);
 }
