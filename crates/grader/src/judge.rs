@@ -13,7 +13,8 @@ use sandbox::Launcher;
 use crate::compile::{Compiler, NotCompiled, Part};
 use crate::judgement::{Judgement, LooksLike, Outcome, Unreadable};
 use crate::kit::{Build, Kit};
-use crate::process::{Limits, Printed, Process};
+use crate::printed::Printed;
+use crate::process::{Limits, Process};
 use crate::token::Token;
 
 /// A file over this size is not the solution of an exercise, in bytes.

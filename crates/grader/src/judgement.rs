@@ -5,7 +5,7 @@ use course::{Exercise, Picture, Reply, Value};
 use serde_json::{Value as Json, json};
 use worker::wire::Panic;
 
-use crate::process::{Output, Printed};
+use crate::printed::{Output, Printed};
 use crate::token::Token;
 
 /// The judgement of one file.

@@ -13,7 +13,9 @@ mod compile;
 mod judge;
 mod judgement;
 mod kit;
+mod printed;
 mod process;
+mod running;
 mod rustc;
 mod token;
 
@@ -21,7 +23,8 @@ pub use compile::Compiler;
 pub use judge::{Judge, LONGEST_FILE};
 pub use judgement::{Judgement, LooksLike, Outcome, Unreadable, gave};
 pub use kit::{Build, Kit, KitError};
-pub use process::{Limits, Output, Printed};
+pub use printed::{Output, Printed};
+pub use process::Limits;
 pub use token::{NoToken, Token, version};
 
 #[cfg(doctest)]

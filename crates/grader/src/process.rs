@@ -1,31 +1,21 @@
 //! How is a worker asked, and how does one see that it will not answer any more?
 
-use std::io::{self, BufRead, BufReader, Read};
+use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, ExitStatus, Stdio};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::process::ExitStatus;
 use std::thread;
 use std::time::{Duration, Instant};
 
 use course::{Answerer, Exercise, Fault, Loss, Reply, Value};
-use sandbox::{Calls, Confinement, Launcher, Takings};
-use worker::system::{self, Channel, Offer};
-use worker::wire::{self, Answer, Panic, Question, Ready};
+use sandbox::Launcher;
+use worker::system::{self, Channel};
+use worker::wire::{self, Answer, Panic, Question};
 
-/// So much of what a student's code prints is kept, in bytes; of the rest only the amount.
-const KEPT: usize = 16 << 10;
-
-/// So much of the end is kept, in bytes: the words with which Rust ends a process fit in.
-const LAST: usize = 1 << 10;
+use crate::printed::{Printed, Stream};
+use crate::running::{NotBegun, Running};
 
 /// A panic's message is kept up to so many characters.
 const LONGEST_WORDS: usize = 2000;
-
-/// A worker that does not even begin within this time is not to blame on the student's code: none of it runs until then.
-const TO_BEGIN: Duration = Duration::from_secs(20);
-
-/// After its end a worker's last words are waited for so long: a process that it left behind may hold its output open.
-const LAST_WORDS: Duration = Duration::from_millis(200);
 
 /// What a worker may take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,24 +35,6 @@ impl Default for Limits {
     }
 }
 
-/// What a student's code printed.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Printed {
-    /// On standard output.
-    pub out: Output,
-    /// On standard error.
-    pub err: Output,
-}
-
-/// What was printed on one stream.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Output {
-    /// The beginning.
-    pub text: String,
-    /// Further bytes that were not kept.
-    pub dropped: usize,
-}
-
 /// Answers by a worker process; after a loss the next question starts a new one.
 #[derive(Debug)]
 pub(crate) struct Process {
@@ -76,34 +48,7 @@ pub(crate) struct Process {
     launcher: Option<Launcher>,
     begun: Instant,
     running: Option<Running>,
-    printed: [Arc<Mutex<Kept>>; 2],
-}
-
-#[derive(Debug)]
-struct Running {
-    child: Child,
-    channel: Channel,
-    answers: BufReader<Channel>,
-    outputs: Vec<thread::JoinHandle<()>>,
-}
-
-#[derive(Debug, Default)]
-struct Kept {
-    bytes: Vec<u8>,
-    dropped: usize,
-    /// The end of what the worker that runs now printed, kept or not: its last words.
-    last: Vec<u8>,
-}
-
-impl Kept {
-    fn add(&mut self, bytes: &[u8]) {
-        let room = KEPT.saturating_sub(self.bytes.len()).min(bytes.len());
-        self.bytes.extend_from_slice(&bytes[..room]);
-        self.dropped += bytes.len() - room;
-        self.last.extend_from_slice(bytes);
-        let surplus = self.last.len().saturating_sub(LAST);
-        self.last.drain(..surplus);
-    }
+    printed: [Stream; 2],
 }
 
 impl Process {
@@ -128,106 +73,35 @@ impl Process {
     }
 
     /// Starts the worker and lets it end.
-    pub(crate) fn rehearse(mut self) -> Result<(), Fault> {
-        self.running = Some(self.start()?);
-        Ok(())
+    pub(crate) fn rehearse(self) -> Result<(), Fault> {
+        match self.start() {
+            Ok(_) => Ok(()),
+            Err(NotBegun::Fault(fault)) => Err(fault),
+            Err(NotBegun::Lost(_)) => Err(Fault("there is not enough memory for any worker".to_owned())),
+        }
+    }
+
+    fn start(&self) -> Result<Running, NotBegun> {
+        Running::start(&self.worker, &self.limits, self.launcher.as_ref(), &self.printed)
     }
 
     /// Ends the worker; gives what it printed, and whether it sent more than it was asked for.
     pub(crate) fn finish(mut self) -> (Printed, bool) {
-        let mut surplus = false;
-        if let Some(mut running) = self.running.take() {
-            // Nobody asks any more: an honest worker ends by itself and writes out what it still holds.
-            let _ = running.channel.shutdown(std::net::Shutdown::Write);
-            wait(&mut running.child, LAST_WORDS);
-            end(&mut running);
-            let _ = running.channel.set_read_timeout(Some(LAST_WORDS));
-            surplus = running.answers.fill_buf().is_ok_and(|rest| !rest.is_empty());
-        }
+        let surplus = self.running.take().is_some_and(|mut running| running.finish());
         let [out, err] = &self.printed;
-        (Printed { out: output(out), err: output(err) }, surplus)
-    }
-
-    /// The command for a worker: confined if there is a launcher.
-    fn command(&self, address: &str) -> Command {
-        let Some(launcher) = &self.launcher else {
-            let mut command = Command::new(&self.worker);
-            command.arg(address).arg(self.limits.memory.to_string());
-            return command;
-        };
-        let takings = Takings { memory: self.limits.memory, cpu: self.limits.whole, ..Takings::default() };
-        let mut executable = sandbox::loaders();
-        executable.push(self.worker.clone());
-        let readable = sandbox::libraries();
-        let confinement = Confinement { readable, executable, ..Confinement::new(Calls::Computing, takings) };
-        let mut command = launcher.command(&confinement, &self.worker);
-        // It has its limit of memory already.
-        command.arg(address).arg("0");
-        command
-    }
-
-    fn start(&self) -> Result<Running, Fault> {
-        let fault = |what: &str, e: io::Error| Fault(format!("{what}: {e}"));
-        let offer = Offer::new().map_err(|e| fault("no channel to the worker", e))?;
-        let mut child = self
-            .command(&offer.address().map_err(|e| fault("no channel to the worker", e))?)
-            .env_clear()
-            .stdin(offer.stdin().map_err(|e| fault("no channel to the worker", e))?)
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .map_err(|e| fault("the worker does not start", e))?;
-        locked(&self.printed[1]).last.clear();
-        let pipes: [Option<Box<dyn Read + Send>>; 2] = [
-            child.stdout.take().map(|pipe| Box::new(pipe) as Box<dyn Read + Send>),
-            child.stderr.take().map(|pipe| Box::new(pipe) as Box<dyn Read + Send>),
-        ];
-        let outputs = pipes
-            .into_iter()
-            .zip(&self.printed)
-            .filter_map(|(pipe, kept)| {
-                let kept = Arc::clone(kept);
-                pipe.map(|pipe| thread::spawn(move || keep(pipe, &kept)))
-            })
-            .collect();
-        let begun = offer.accept(Instant::now() + TO_BEGIN).and_then(|channel| {
-            channel.set_read_timeout(Some(TO_BEGIN))?;
-            let answers = BufReader::new(channel.try_clone()?);
-            Ok((channel, answers))
-        });
-        let (channel, answers) = match begun {
-            Ok(ends) => ends,
-            Err(e) => {
-                let _ = sandbox::end(&mut child);
-                return Err(fault("the worker does not connect", e));
-            }
-        };
-        let mut running = Running { child, channel, answers, outputs };
-        match wire::receive::<Ready>(&mut running.answers) {
-            Ok(Some(Ready)) => {}
-            other => {
-                let status = end(&mut running);
-                let words = output(&self.printed[1]).text;
-                return Err(Fault(format!("the worker did not begin ({other:?}, {status:?}): {words}")));
-            }
-        }
-        running
-            .channel
-            .set_read_timeout(Some(self.limits.time))
-            .map_err(|e| fault("no time limit can be set", e))?;
-        Ok(running)
+        (Printed { out: out.output(), err: err.output() }, surplus)
     }
 
     /// What became of the worker that fell silent.
     fn loss(&self, mut running: Running, silence: &Silence) -> Loss {
         if let Silence::Slow(limit) = silence {
-            end(&mut running);
+            running.end();
             return timed_out(*limit);
         }
         // The channel is closed: the process is ending, or the student's code closed what is not its own.
-        wait(&mut running.child, self.limits.time);
-        let status = end(&mut running);
-        let words = String::from_utf8_lossy(&locked(&self.printed[1]).last).into_owned();
+        running.wait(self.limits.time);
+        let status = running.end();
+        let words = self.printed[1].last_words();
         if words.contains("has overflowed its stack") {
             return Loss::StackOverflow;
         }
@@ -328,7 +202,11 @@ impl Answerer for Process {
     fn ask(&mut self, questions: &[Vec<Value>]) -> Result<Vec<Reply>, Fault> {
         let mut running = match self.running.take() {
             Some(running) => running,
-            None => self.start()?,
+            None => match self.start() {
+                Ok(running) => running,
+                Err(NotBegun::Fault(fault)) => return Err(fault),
+                Err(NotBegun::Lost(loss)) => return Ok(vec![Reply::Lost(loss)]),
+            },
         };
         let mut replies = Vec::with_capacity(questions.len());
         let mut asking =
@@ -358,52 +236,4 @@ impl Answerer for Process {
         }
         replies.into_iter().collect()
     }
-}
-
-impl Drop for Process {
-    fn drop(&mut self) {
-        if let Some(running) = &mut self.running {
-            end(running);
-        }
-    }
-}
-
-/// Waits for the end of a process, but no longer than this.
-fn wait(child: &mut Child, patience: Duration) {
-    let until = Instant::now() + patience;
-    while Instant::now() < until && matches!(child.try_wait(), Ok(None)) {
-        thread::sleep(Duration::from_micros(200));
-    }
-}
-
-/// Kills what still runs and waits for its last words.
-fn end(running: &mut Running) -> Option<ExitStatus> {
-    let status = sandbox::end(&mut running.child).ok();
-    let patience = Instant::now() + LAST_WORDS;
-    for output in running.outputs.drain(..) {
-        while !output.is_finished() && Instant::now() < patience {
-            thread::sleep(Duration::from_micros(100));
-        }
-    }
-    status
-}
-
-/// Reads all that is printed, so that printing never waits, and keeps the beginning.
-fn keep(mut pipe: impl Read, kept: &Mutex<Kept>) {
-    let mut buffer = [0; 4096];
-    while let Ok(count) = pipe.read(&mut buffer) {
-        if count == 0 {
-            break;
-        }
-        locked(kept).add(&buffer[..count]);
-    }
-}
-
-fn output(kept: &Mutex<Kept>) -> Output {
-    let kept = locked(kept);
-    Output { text: String::from_utf8_lossy(&kept.bytes).into_owned(), dropped: kept.dropped }
-}
-
-fn locked<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -142,9 +142,13 @@ fn judged(status: ExitStatus, words: &[u8], files: usize) -> io::Result<End> {
     Ok(match system::signal(status) {
         Some(signal) if system::is_out_of_time(signal) => End::TooLong(time(files)),
         Some(_) => End::Broken,
+        None if said(&words).text.starts_with(NO_LINKER) => return Err(io::Error::other(said(&words).text)),
         None => End::Refused(said(&words)),
     })
 }
+
+/// How rustc says that there is no linker, which is nothing that a file could do.
+const NO_LINKER: &str = "error: could not exec the linker";
 
 const MEMORY_WORDS: [&str; 4] =
     ["memory allocation of", "out of memory", "Cannot allocate memory", "bad_alloc"];

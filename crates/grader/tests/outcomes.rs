@@ -5,9 +5,13 @@ mod bench;
 use bench::{Bench, in_function};
 use grader::{Outcome, Unreadable};
 
-/// Judges a body of `rotate_about_point` and gives the outcome.
+/// Judges a body of `rotate_about_point` and gives the outcome: the same one confined and not.
 fn of_body(body: &str) -> Outcome {
-    Bench::new().judge(&in_function(body)).outcome
+    let outcome = Bench::new().judge(&in_function(body)).outcome;
+    if let Some(bench) = Bench::confined() {
+        assert_eq!(bench.judge(&in_function(body)).outcome, outcome, "confined, and not: {body}");
+    }
+    outcome
 }
 
 #[test]
