@@ -159,7 +159,7 @@ fn said(words: &str) -> Said {
     for message in words.lines().filter_map(|line| serde_json::from_str::<Json>(line).ok()) {
         said.codes.extend(message["code"]["code"].as_str().map(str::to_owned));
         let spans = message["spans"].as_array().into_iter().flatten();
-        said.files.extend(spans.filter_map(|span| Some(span["file_name"].as_str()?.to_owned())));
+        said.files.extend(spans.filter_map(|span| Some(written_in(span)["file_name"].as_str()?.to_owned())));
         tell(&mut said.text, message["rendered"].as_str().unwrap_or_default());
     }
     if said.text.is_empty() {
@@ -167,6 +167,14 @@ fn said(words: &str) -> Said {
         tell(&mut said.text, words);
     }
     said
+}
+
+/// Where somebody wrote what an error points to: outside all macros.
+fn written_in(mut span: &Json) -> &Json {
+    while span["expansion"].is_object() {
+        span = &span["expansion"]["span"];
+    }
+    span
 }
 
 /// Adds a message, as far as there is room; once there is none, says so and adds nothing more.

@@ -67,17 +67,14 @@ fn more_answers_than_questions_are_a_crash_also_if_every_one_is_right() {
 
 #[test]
 fn one_answer_too_many_at_the_very_end_is_noticed() {
+    // It is sent when the thread of the student's code ends, after the last question.
     let body = format!(
-        "use std::os::fd::AsFd;\n    \
-         static ONCE: std::sync::Once = std::sync::Once::new();\n    \
-         ONCE.call_once(|| {{\n        \
-             let own = std::io::stdin().as_fd().try_clone_to_owned().unwrap();\n        \
-             let mut channel = std::os::unix::net::UnixStream::from(own);\n        \
-             std::thread::spawn(move || {{\n            \
-                 std::thread::sleep(std::time::Duration::from_millis(100));\n            \
-                 loop {{ let _ = worker::wire::send(&mut channel, &worker::wire::Ready); }}\n        \
-             }});\n    \
-         }});\n    {RIGHT}"
+        "struct Last(std::os::unix::net::UnixStream);\n    \
+         impl Drop for Last {{ fn drop(&mut self) {{ worker::wire::send(&mut self.0, &worker::wire::Ready).unwrap(); }} }}\n    \
+         thread_local! {{ static LAST: Last = {{\n        \
+             use std::os::fd::AsFd;\n        \
+             Last(std::io::stdin().as_fd().try_clone_to_owned().unwrap().into())\n    \
+         }} }}\n    LAST.with(|_| ());\n    {RIGHT}"
     );
     assert_outcomes(&[&body], |outcome| matches!(outcome, Outcome::Crashed(_)));
 }
