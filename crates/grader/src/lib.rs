@@ -10,6 +10,7 @@
 #![forbid(unsafe_code)]
 
 mod compile;
+mod doubt;
 mod judge;
 mod judgement;
 mod kit;
@@ -20,8 +21,9 @@ mod rustc;
 mod token;
 
 pub use compile::Compiler;
+pub use doubt::Twice;
 pub use judge::{Judge, LONGEST_FILE};
-pub use judgement::{Judgement, LooksLike, Outcome, Unreadable, gave};
+pub use judgement::{Forfeit, Judgement, LooksLike, Outcome, Unreadable, gave};
 pub use kit::{Build, Kit, KitError};
 pub use printed::{Output, Printed};
 pub use process::Limits;
