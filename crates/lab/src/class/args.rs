@@ -22,6 +22,11 @@ Examples:
 
 Exit code: 0 done, 1 done, but a person has to look (the grader failed at something, or points changed), 2 error.";
 
+const DOCTOR_HELP: &str = "\
+Each line is tried: a program is confined like a student's, and does what it should not be able to do. Takes a second or two.
+
+Exit code: 0 all that grading needs is enforced, 1 something is missing, 2 error.";
+
 /// The commands for lecturers.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
@@ -32,6 +37,9 @@ pub(crate) enum Command {
     Merge(MergeArgs),
     /// Write an autograder for a course platform
     Export(ExportArgs),
+    /// Say what this system can keep from students' code
+    #[command(after_help = DOCTOR_HELP)]
+    Doctor(DoctorArgs),
 }
 
 /// `cargo lab grade`.
@@ -118,6 +126,14 @@ pub(crate) struct ExportArgs {
     /// Let students' code run without the sandbox there, for a container that does not have what it is made of
     #[arg(long)]
     pub(crate) unsafe_no_sandbox: bool,
+}
+
+/// `cargo lab doctor`.
+#[derive(Args, Debug)]
+pub(crate) struct DoctorArgs {
+    /// Print JSON
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 /// A platform that runs autograders.

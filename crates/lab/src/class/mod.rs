@@ -3,6 +3,7 @@
 //! [`args`] says what can be typed, [`report`] puts files on the disk.
 
 mod args;
+mod doctor;
 mod export;
 mod grade;
 mod merge;
@@ -22,5 +23,6 @@ pub(crate) fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Grade(asked) => grade::run(asked),
         Command::Merge(asked) => merge::run(asked),
         Command::Export(asked) => export::run(asked),
+        Command::Doctor(asked) => doctor::run(asked),
     }
 }
