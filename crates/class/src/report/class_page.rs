@@ -86,7 +86,9 @@ fn summary(results: &Results) -> Markup {
         (
             "middle half",
             match (statistics::quantile(&shares, 0.25), statistics::quantile(&shares, 0.75)) {
-                (Some(low), Some(high)) => format!("{} to {}", percent(low), percent(high)),
+                (Some(low), Some(high)) => {
+                    format!("{} – {}", percent(low).trim_end_matches(" %"), percent(high))
+                }
                 _ => "–".to_owned(),
             },
         ),
@@ -183,7 +185,7 @@ fn clusters(results: &Results) -> Markup {
         clusters.iter().map(|it| group(&it.members, &failures(&it.failures))).collect()
     };
     html! {
-        p.soft { "Submissions that break exactly the same laws: one explanation helps all of them, or they worked together." }
+        p.soft { "Submissions that break exactly the same laws: one explanation helps all of them." }
         h3 { "In the whole course" }
         (groups_list(listed(groups::clusters_of_the_course(results)), "No two submissions with a fault have all faults in common."))
         h3 { "In one exercise" }
