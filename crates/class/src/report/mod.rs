@@ -63,7 +63,7 @@ fn tone(outcome: Outcome) -> &'static str {
 fn prose(text: &str) -> Markup {
     let text = foreign::plain(text);
     // Without a partner a backtick is a backtick.
-    let whole = text.matches('`').count() % 2 == 0;
+    let whole = text.matches('`').count().is_multiple_of(2);
     html! {
         @if whole {
             @for (at, part) in text.split('`').enumerate() { @if at % 2 == 1 { code { (part) } } @else { (part) } }
