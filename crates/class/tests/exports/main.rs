@@ -9,8 +9,10 @@ mod workflow;
 use std::fs;
 use std::io::{Cursor, Read};
 use std::path::Path;
+use std::process::Command;
 
 use class::export::{File, Options, SourcesError, codegrade, github_classroom, gradescope};
+use serde_json::Value;
 use tempfile::TempDir;
 
 /// A project in small.
@@ -55,6 +57,12 @@ const SOURCES: [&str; 8] = [
 
 /// What is in an archive: paths in their order, with permissions and text.
 fn unpacked(bytes: &[u8]) -> Vec<(String, u32, String)> {
+    let text = |bytes| String::from_utf8(bytes).expect("text");
+    entries(bytes).into_iter().map(|(path, mode, bytes)| (path, mode, text(bytes))).collect()
+}
+
+/// The same with bytes.
+fn entries(bytes: &[u8]) -> Vec<(String, u32, Vec<u8>)> {
     let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).expect("a zip");
     (0..archive.len())
         .map(|at| {
@@ -64,8 +72,8 @@ fn unpacked(bytes: &[u8]) -> Vec<(String, u32, String)> {
                 Some(zip::DateTime::DEFAULT),
                 "a date would differ from export to export"
             );
-            let mut text = String::new();
-            entry.read_to_string(&mut text).expect("text");
+            let mut text = Vec::new();
+            entry.read_to_end(&mut text).expect("bytes");
             (entry.name().expect("UTF-8").into_owned(), entry.unix_mode().expect("permissions") & 0o777, text)
         })
         .collect()
@@ -92,6 +100,35 @@ fn gradescopes_zip_has_its_two_scripts_at_the_root_and_the_sources_alone() {
         let beside = file(&files, &format!("autograder/{path}"));
         assert_eq!((beside.bytes.as_slice(), beside.executable), (text.as_bytes(), is_script));
     }
+}
+
+#[test]
+fn cargo_finds_every_package_of_this_project_in_its_export() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let files = codegrade(&root, GUARDED).expect("an export");
+    let folder = TempDir::new().expect("a folder");
+    for (path, _, bytes) in entries(&file(&files, "lightlab.zip").bytes) {
+        let path = folder.path().join(path);
+        fs::create_dir_all(path.parent().expect("a parent")).expect("a folder");
+        fs::write(path, bytes).expect("a file");
+    }
+    let members = |root: &Path| {
+        // Reads the manifests and looks for every target's file; without dependencies it asks no network.
+        let output = Command::new(env!("CARGO"))
+            .args(["metadata", "--no-deps", "--offline", "--format-version", "1"])
+            .current_dir(root)
+            .output()
+            .expect("cargo");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let metadata: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        let packages = metadata["packages"].as_array().expect("packages").clone();
+        let targets = |it: &Value| it["targets"].as_array().map_or(0, Vec::len);
+        packages.iter().map(|it| (it["name"].to_string(), targets(it))).collect::<Vec<_>>()
+    };
+    let (here, there) = (members(&root), members(folder.path()));
+    assert!(here.len() > 15, "{here:?}");
+    assert_eq!(here, there);
+    assert!(folder.path().join(".cargo/config.toml").is_file());
 }
 
 #[test]
