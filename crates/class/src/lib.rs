@@ -1,5 +1,8 @@
 //! How are two hundred submissions graded with one command, and what is said about them?
 //!
+//! - [`intake`]: who handed in what.
+//! - [`Grading`]: has each judged, keeps what was judged, goes on where a run was ended.
+//! - [`merge()`]: puts together what several machines judged; [`changes()`]: compares with an older report.
 //! - [`results`]: what is known of a class once it has been graded; every report is made from it.
 //! - [`report`]: pages for the lecturer and for each student, and a table of points.
 //! - [`mod@format`]: one student's results as a learning platform reads them.
@@ -7,7 +10,25 @@
 
 #![forbid(unsafe_code)]
 
+mod changes;
 pub mod export;
 pub mod format;
+mod grading;
+pub mod intake;
+mod kept;
+mod merge;
+mod outline;
+mod partition;
 pub mod report;
+mod report_folder;
 pub mod results;
+mod sum;
+mod verdict;
+
+pub use changes::{Change, Changes, changes};
+pub use grading::{GradeError, Grading, Write};
+pub use kept::FOLDER as KEPT;
+pub use merge::{MergeError, RESULTS, merge, read, read_with_pictures};
+pub use outline::course;
+pub use partition::{NoPartition, Partition};
+pub use report_folder::{RUN, files, read_run, run_json};

@@ -10,17 +10,23 @@
 #![forbid(unsafe_code)]
 
 mod compile;
+mod doubt;
 mod judge;
 mod judgement;
 mod kit;
+mod printed;
 mod process;
+mod running;
+mod rustc;
 mod token;
 
 pub use compile::Compiler;
+pub use doubt::Twice;
 pub use judge::{Judge, LONGEST_FILE};
-pub use judgement::{Judgement, LooksLike, Outcome, Unreadable, gave};
+pub use judgement::{Forfeit, Judgement, LooksLike, Outcome, Unreadable, gave};
 pub use kit::{Build, Kit, KitError};
-pub use process::{Limits, Output, Printed};
+pub use printed::{Output, Printed};
+pub use process::Limits;
 pub use token::{NoToken, Token, version};
 
 #[cfg(doctest)]

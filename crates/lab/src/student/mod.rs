@@ -16,7 +16,7 @@ pub(crate) mod solution;
 mod verdict;
 pub(crate) mod watch;
 mod which;
-mod workbench;
+pub(crate) mod workbench;
 
 // Only signals ask for it.
 #[cfg(unix)]

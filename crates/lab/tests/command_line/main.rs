@@ -4,8 +4,11 @@ mod compare;
 mod desk;
 mod figures;
 mod flags;
+mod grade;
 mod help;
 mod interruption;
+#[cfg(target_os = "linux")]
+mod made_up_class;
 mod render;
 mod scenes;
 mod student;
