@@ -52,6 +52,7 @@ pub(crate) fn class(students: usize) -> Results {
         version: VERSION,
         course: outline(),
         seeds: Seeds { seed: SEED, per_student: false },
+        partition: None,
         sandboxed: true,
         submissions,
     }

@@ -37,6 +37,13 @@ fn a_grader_error_stands_on_top() {
 }
 
 #[test]
+fn a_part_of_a_class_says_that_it_is_one() {
+    let part = Results { partition: Some("count:1/3".to_owned()), ..class(2) };
+    assert!(class_page(&part).contains("This is a part of the class, <code>count:1/3</code>"));
+    assert!(!class_page(&class(2)).contains("part of the class"));
+}
+
+#[test]
 fn misconceptions_are_counted_and_lead_to_the_students() {
     let page = class_page(&same_mistake());
     let listed = section(&page, "misconceptions");
