@@ -5,7 +5,7 @@
 //! - [`merge()`]: puts together what several machines judged; [`changes()`]: compares with an older report.
 //! - [`results`]: what is known of a class once it has been graded; every report is made from it.
 //! - [`report`]: pages for the lecturer and for each student, and a table of points.
-//! - [`format`]: one student's results as a learning platform reads them.
+//! - [`mod@format`]: one student's results as a learning platform reads them.
 //! - [`export`]: a folder with an autograder that is ready for a platform.
 
 #![forbid(unsafe_code)]

@@ -8,6 +8,7 @@ const WIDTH: f64 = 760.0;
 const HEIGHT: f64 = 240.0;
 /// Room for the numbers at the axes.
 const LEFT: f64 = 34.0;
+const RIGHT: f64 = 26.0;
 const BOTTOM: f64 = 30.0;
 const TOP: f64 = 18.0;
 
@@ -18,29 +19,32 @@ pub(crate) fn histogram(shares: &[f64], mean: Option<f64>) -> Markup {
         bins[((share * BINS as f64) as usize).min(BINS - 1)] += 1;
     }
     let most = bins.iter().copied().max().unwrap_or(0).max(1);
-    let x = |share: f64| LEFT + share * (WIDTH - LEFT - 8.0);
+    let x = |share: f64| LEFT + share * (WIDTH - LEFT - RIGHT);
     let y = |count: f64| HEIGHT - BOTTOM - count / most as f64 * (HEIGHT - BOTTOM - TOP);
     html! {
         svg.histogram viewBox={ "0 0 " (WIDTH) " " (HEIGHT) } role="img" aria-label=(in_words(&bins)) {
             @for line in grid(most) {
-                line.grid x1=(LEFT) x2=(WIDTH - 8.0) y1=(short(y(line as f64))) y2=(short(y(line as f64))) {}
+                line.grid x1=(LEFT) x2=(WIDTH - RIGHT) y1=(short(y(line as f64))) y2=(short(y(line as f64))) {}
                 text.end x=(LEFT - 6.0) y=(short(y(line as f64) + 4.0)) { (line) }
             }
             @for (at, count) in bins.iter().enumerate().filter(|(_, count)| **count > 0) {
                 @let (left, right) = (x(at as f64 / BINS as f64), x((at + 1) as f64 / BINS as f64));
                 rect.column x=(short(left + 1.0)) width=(short(right - left - 2.0)) y=(short(y(*count as f64)))
                     height=(short(y(0.0) - y(*count as f64))) {}
-                text.middle x=(short((left + right) / 2.0)) y=(short(y(*count as f64) - 4.0)) { (count) }
-            }
-            line.axis x1=(LEFT) x2=(WIDTH - 8.0) y1=(short(y(0.0))) y2=(short(y(0.0))) {}
-            @for tenth in 0..=10 {
-                text.middle x=(short(x(f64::from(tenth) / 10.0))) y=(HEIGHT - 10.0) { (10 * tenth) @if tenth == 10 { " %" } }
             }
             @if let Some(mean) = mean {
                 line.mean x1=(short(x(mean))) x2=(short(x(mean))) y1="4" y2=(short(y(0.0))) {}
                 // On the side with more room.
                 text class=(if mean > 0.5 { "end" } else { "start" })
                     x=(short(x(mean) + if mean > 0.5 { -5.0 } else { 5.0 })) y="12" { "mean" }
+            }
+            // Over the line, so that it strikes no number through.
+            @for (at, count) in bins.iter().enumerate().filter(|(_, count)| **count > 0) {
+                text.middle x=(short(x((at as f64 + 0.5) / BINS as f64))) y=(short(y(*count as f64) - 4.0)) { (count) }
+            }
+            line.axis x1=(LEFT) x2=(WIDTH - RIGHT) y1=(short(y(0.0))) y2=(short(y(0.0))) {}
+            @for tenth in 0..=10 {
+                text.middle x=(short(x(f64::from(tenth) / 10.0))) y=(HEIGHT - 10.0) { (10 * tenth) @if tenth == 10 { " %" } }
             }
         }
     }

@@ -31,7 +31,7 @@ pub fn class_page(results: &Results) -> String {
         a.skip href="#submissions" { "Skip to the submissions" }
         header {
             h1 { "The class: " (results.submissions.len()) " submissions" }
-            (grader_errors(results))
+            (warnings(results))
             (summary(results))
             nav aria-label="Sections" {
                 ul { @for (id, title, _) in &sections { li { a href={ "#" (id) } { (title) } } } }
@@ -47,8 +47,8 @@ pub fn class_page(results: &Results) -> String {
     page("The class", include_str!("class.css"), (SCRIPT, FINGERPRINT), &body)
 }
 
-/// On top, since nothing of it is the students' fault.
-fn grader_errors(results: &Results) -> Markup {
+/// What has to be known before any number is read; grader errors first, since nothing of them is the students' fault.
+fn warnings(results: &Results) -> Markup {
     let errors: Vec<_> = results
         .submissions
         .iter()
@@ -69,6 +69,9 @@ fn grader_errors(results: &Results) -> Markup {
                 }
             }
         }
+        @if let Some(partition) = &results.partition {
+            p.notice { "This is a part of the class, " code { (line(partition)) } ": " code { "cargo lab merge" } " puts the parts together." }
+        }
         @if !results.sandboxed {
             p.warning { "Not every submission was judged in the sandbox: what they did on this machine was not limited." }
         }
@@ -86,7 +89,9 @@ fn summary(results: &Results) -> Markup {
         (
             "middle half",
             match (statistics::quantile(&shares, 0.25), statistics::quantile(&shares, 0.75)) {
-                (Some(low), Some(high)) => format!("{} to {}", percent(low), percent(high)),
+                (Some(low), Some(high)) => {
+                    format!("{} – {}", percent(low).trim_end_matches(" %"), percent(high))
+                }
                 _ => "–".to_owned(),
             },
         ),
@@ -183,7 +188,7 @@ fn clusters(results: &Results) -> Markup {
         clusters.iter().map(|it| group(&it.members, &failures(&it.failures))).collect()
     };
     html! {
-        p.soft { "Submissions that break exactly the same laws: one explanation helps all of them, or they worked together." }
+        p.soft { "Submissions that break exactly the same laws: one explanation helps all of them." }
         h3 { "In the whole course" }
         (groups_list(listed(groups::clusters_of_the_course(results)), "No two submissions with a fault have all faults in common."))
         h3 { "In one exercise" }

@@ -7,8 +7,11 @@ use crate::results::{
 };
 
 use super::account;
-use super::foreign::{is_harmless_svg, line, plain};
+use super::foreign::{beginning, is_harmless_svg, line, plain};
 use super::{law_mark, mark, page, prose, tone};
+
+/// So many bytes of a notice are shown.
+const MOST_OF_A_NOTICE: usize = 2_000;
 
 /// A student's page. What is for the staff alone is not in it; nothing on it runs.
 pub fn feedback_page(course: &Course, submission: &Submission) -> String {
@@ -19,7 +22,7 @@ pub fn feedback_page(course: &Course, submission: &Submission) -> String {
             h1 { "Feedback for " bdi { (student) } }
             (points(submission))
             @for notice in submission.notices.iter().filter(|it| it.audience == Audience::Student) {
-                p.notice { (plain(&notice.text)) }
+                p.notice { (beginning(&notice.text, MOST_OF_A_NOTICE)) }
             }
         }
         main {

@@ -14,7 +14,7 @@ pub fn feedback_markdown(course: &Course, submission: &Submission) -> String {
         submission.of
     );
     for notice in submission.notices.iter().filter(|it| it.audience == Audience::Student) {
-        text.push_str(&format!("\n> {}\n", escaped(&notice.text)));
+        text.push_str(&format!("\n> {}\n", escaped(&line(&notice.text))));
     }
     text.push_str(&board(submission));
     for verdict in &submission.verdicts {

@@ -5,7 +5,10 @@ use maud::{Markup, html};
 use crate::results::{Kind, Outcome, Results, Submission, Verdict};
 
 use super::charts::percent;
-use super::foreign::{line, plain};
+use super::foreign::{cut, line, plain};
+
+/// A longer name is cut where it stands among others; the feedback has it whole.
+const MOST_OF_A_NAME: usize = 80;
 
 /// The table of all submissions and what finds one in it.
 pub(crate) fn table(results: &Results) -> Markup {
@@ -89,7 +92,7 @@ fn cell(verdict: Option<&Verdict>) -> Markup {
 pub(crate) fn link(submission: &Submission) -> Markup {
     let name = plain(&submission.student);
     let name = if name.trim().is_empty() { line(&submission.id) } else { line(&name) };
-    html! { a href=(feedback(&submission.id)) { bdi { (name) } } }
+    html! { a href=(feedback(&submission.id)) { bdi { (cut(&name, MOST_OF_A_NAME)) } } }
 }
 
 /// Where a student's feedback lies, as an address.

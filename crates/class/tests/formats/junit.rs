@@ -30,6 +30,9 @@ fn count(cases: &[Node<'_, '_>], name: &str) -> usize {
     cases.iter().filter(|case| elements(**case).iter().any(|it| it.has_tag_name(name))).count()
 }
 
+/// What tells how a case went, and the attribute that counts it.
+const COUNTED: [(&str, &str); 3] = [("failures", "failure"), ("errors", "error"), ("skipped", "skipped")];
+
 #[test]
 fn junit_counts_are_exact_and_elements_are_known() {
     for submission in submissions() {
@@ -39,42 +42,39 @@ fn junit_counts_are_exact_and_elements_are_known() {
         let root = document.root_element();
         assert_attributes(root, &["name", "tests", "failures", "errors", "skipped", "time"]);
         assert_no_text_beside_elements(root);
-        let mut all = Vec::new();
-        for suite in elements(root) {
-            assert!(suite.has_tag_name("testsuite"));
-            assert_attributes(suite, &["name", "tests", "failures", "errors", "skipped", "time"]);
-            assert_no_text_beside_elements(suite);
-            let (cases, rest): (Vec<_>, Vec<_>) =
-                elements(suite).into_iter().partition(|it| it.has_tag_name("testcase"));
-            assert!(
-                rest.len() <= 1
-                    && rest
-                        .iter()
-                        .all(|it| it.has_tag_name("system-out") && it.next_sibling_element().is_none())
-            );
-            assert_eq!(number(suite, "tests"), cases.len());
-            for (attribute, element) in [("failures", "failure"), ("errors", "error"), ("skipped", "skipped")]
-            {
-                assert_eq!(number(suite, attribute), count(&cases, element));
-            }
-            for case in &cases {
-                assert_attributes(*case, &["name", "classname", "time"]);
-                assert!(elements(*case).len() <= 1);
-                for child in elements(*case) {
-                    let wanted: &[&str] =
-                        if child.has_tag_name("skipped") { &["message"] } else { &["message", "type"] };
-                    assert_attributes(child, wanted);
-                }
-            }
-            all.extend(cases);
-        }
-        for (attribute, element) in [("failures", "failure"), ("errors", "error"), ("skipped", "skipped")] {
+        let all: Vec<Node<'_, '_>> = elements(root).into_iter().flat_map(cases_of_a_sound_suite).collect();
+        for (attribute, element) in COUNTED {
             assert_eq!(number(root, attribute), count(&all, element));
         }
         assert_eq!(number(root, "tests"), all.len());
         let passed = all.iter().filter(|case| elements(**case).is_empty()).count();
         assert_eq!((passed, all.len()), laws(&submission));
     }
+}
+
+fn cases_of_a_sound_suite<'a, 'i>(suite: Node<'a, 'i>) -> Vec<Node<'a, 'i>> {
+    assert!(suite.has_tag_name("testsuite"));
+    assert_attributes(suite, &["name", "tests", "failures", "errors", "skipped", "time"]);
+    assert_no_text_beside_elements(suite);
+    let (cases, rest): (Vec<_>, Vec<_>) =
+        elements(suite).into_iter().partition(|it| it.has_tag_name("testcase"));
+    let is_last_output =
+        |it: &Node<'_, '_>| it.has_tag_name("system-out") && it.next_sibling_element().is_none();
+    assert!(rest.len() <= 1 && rest.iter().all(is_last_output));
+    assert_eq!(number(suite, "tests"), cases.len());
+    for (attribute, element) in COUNTED {
+        assert_eq!(number(suite, attribute), count(&cases, element));
+    }
+    for case in &cases {
+        assert_attributes(*case, &["name", "classname", "time"]);
+        assert!(elements(*case).len() <= 1);
+        for child in elements(*case) {
+            let wanted: &[&str] =
+                if child.has_tag_name("skipped") { &["message"] } else { &["message", "type"] };
+            assert_attributes(child, wanted);
+        }
+    }
+    cases
 }
 
 #[test]
