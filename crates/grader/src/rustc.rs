@@ -13,7 +13,7 @@ use worker::system;
 
 use crate::kit::Kit;
 
-/// Computing time for one file, in seconds: about twenty times what any exercise takes.
+/// Computing time for one file, in seconds: forty times what an exercise takes on a desktop machine.
 const SECONDS: u64 = 10;
 
 /// As much more for each further file that is compiled with it.
@@ -22,7 +22,8 @@ const SECONDS_MORE: u64 = 1;
 /// A compiler that is not done after so many times its computing time is not computing: only then does the clock on the wall decide.
 const PATIENCE: u32 = 30;
 
-/// Address space, in bytes. All exercises together take a quarter of it; most of that is the compiler itself.
+/// Address space, in bytes, for rustc and the linker each. All exercises together take a seventh of it on two processors; on many the linker has up to
+/// sixteen threads, each of which sets some aside.
 const MEMORY: u64 = 4 << 30;
 
 /// The longest file that rustc or the linker may write, in bytes. A worker has five million.

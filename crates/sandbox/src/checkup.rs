@@ -1,6 +1,7 @@
 //! What does this system enforce? Each thing is tried by a program that is confined, and not read off a version.
 
 use std::ffi::{OsStr, OsString};
+use std::io::Write;
 use std::process::ExitCode;
 
 use serde_json::{Value as Json, json};
@@ -85,11 +86,17 @@ pub(crate) fn attempt(mut arguments: impl Iterator<Item = OsString>) -> ExitCode
     let what = arguments.next().unwrap_or_default();
     let arguments: Vec<OsString> = arguments.collect();
     match what.to_str().and_then(|what: &str| here::attempt(what, &arguments)) {
-        Some(true) => ExitCode::SUCCESS,
+        Some(true) => {
+            let _ = std::io::stdout().write_all(REFUSED.as_bytes());
+            ExitCode::SUCCESS
+        }
         Some(false) => ExitCode::from(POSSIBLE),
         None => ExitCode::from(UNKNOWN),
     }
 }
+
+/// What an attempt says that was refused.
+pub(crate) const REFUSED: &str = "refused";
 
 /// The exit code of an attempt that succeeded, and should not have.
 pub(crate) const POSSIBLE: u8 = 1;

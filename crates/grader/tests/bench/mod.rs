@@ -85,6 +85,11 @@ impl Bench {
         self.judge.limits.whole = whole;
     }
 
+    /// How much memory a worker may take.
+    pub(crate) fn limit_memory(&mut self, memory: u64) {
+        self.judge.limits.memory = memory;
+    }
+
     pub(crate) fn folder(&self) -> &Path {
         self.folder.path()
     }

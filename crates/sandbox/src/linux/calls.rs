@@ -199,7 +199,11 @@ const NOT_BUILDING: &[c_long] = &[
     libc::SYS_kcmp,
     libc::SYS_setsid,
     libc::SYS_setpgid,
+    #[cfg(target_arch = "x86_64")]
     libc::SYS_setrlimit,
+    // The same; libc has no name for it there.
+    #[cfg(target_arch = "aarch64")]
+    164,
     libc::SYS_setpriority,
     // Namespaces and mounts.
     libc::SYS_unshare,

@@ -1,14 +1,16 @@
 //! Which tries show what a system enforces?
 
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::net::{Ipv4Addr, TcpListener};
 use std::os::unix::process::ExitStatusExt;
 use std::path::{Path, PathBuf};
-use std::process::{ExitStatus, Stdio};
+use std::process::{Output, Stdio};
 use std::time::Duration;
 
-use crate::checkup::{Check, Finding, MARK, POSSIBLE};
+use tempfile::TempDir;
+
+use crate::checkup::{Check, Finding, MARK, POSSIBLE, REFUSED};
 use crate::confinement::{Calls, Confinement, Takings, libraries, loaders};
 use crate::launcher::{Launcher, NOT_LAUNCHED};
 
@@ -55,7 +57,7 @@ pub(crate) fn checks(launcher: &Launcher) -> Vec<Check> {
 
 /// A folder with something to read, and a socket to connect to.
 struct Place {
-    folder: PathBuf,
+    folder: TempDir,
     secret: PathBuf,
     scratch: PathBuf,
     listener: TcpListener,
@@ -63,10 +65,10 @@ struct Place {
 
 impl Place {
     fn new() -> io::Result<Self> {
-        let folder = std::env::temp_dir().join(format!("sandbox-doctor-{}", std::process::id()));
-        let scratch = folder.join("scratch");
-        fs::create_dir_all(&scratch)?;
-        let secret = folder.join("secret");
+        let folder = tempfile::tempdir()?;
+        let scratch = folder.path().join("scratch");
+        fs::create_dir(&scratch)?;
+        let secret = folder.path().join("secret");
         fs::write(&secret, "secret")?;
         Ok(Self { folder, secret, scratch, listener: TcpListener::bind((Ipv4Addr::LOCALHOST, 0))? })
     }
@@ -92,24 +94,17 @@ impl Place {
         command.arg(MARK).arg(attempt.what).arg(&attempt.argument).stdin(Stdio::null());
         match command.output() {
             Err(e) => missing(format!("it did not start: {e}")),
-            Ok(output) => judged(output.status, attempt.signal).unwrap_or_else(|why| {
-                missing(format!("{why} {}", String::from_utf8_lossy(&output.stderr).trim()))
+            Ok(output) => judged(&output, attempt.signal).unwrap_or_else(|why| {
+                missing(format!("{why} {}", String::from_utf8_lossy(&output.stderr).trim()).trim().to_owned())
             }),
         }
     }
 }
 
-impl Drop for Place {
-    fn drop(&mut self) {
-        if let Err(e) = fs::remove_dir_all(&self.folder) {
-            let _ = writeln!(io::stderr(), "{} stays: {e}", self.folder.display());
-        }
-    }
-}
-
-fn judged(status: ExitStatus, signal: Option<i32>) -> Result<Finding, &'static str> {
-    match (status.code(), status.signal()) {
-        (Some(0), _) => Ok(Finding::Enforced),
+fn judged(output: &Output, signal: Option<i32>) -> Result<Finding, &'static str> {
+    match (output.status.code(), output.status.signal()) {
+        // A program that tries nothing ends well too.
+        (Some(0), _) if output.stdout == REFUSED.as_bytes() => Ok(Finding::Enforced),
         (None, ended) if ended.is_some() && ended == signal => Ok(Finding::Enforced),
         (Some(code), _) if code == i32::from(POSSIBLE) => Err("it was possible"),
         (Some(code), _) if code == i32::from(NOT_LAUNCHED) => Err("no program can be confined:"),
@@ -119,7 +114,7 @@ fn judged(status: ExitStatus, signal: Option<i32>) -> Result<Finding, &'static s
 
 fn tries(place: &Place) -> Vec<Try> {
     let path = |path: &Path| path.display().to_string();
-    let outside = path(&place.folder.join("outside"));
+    let outside = path(&place.folder.path().join("outside"));
     let port = place.listener.local_addr().map(|address| address.port()).unwrap_or_default().to_string();
     let pid = std::process::id().to_string();
     let landlock = |name, tried, what, argument| Try {
