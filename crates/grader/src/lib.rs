@@ -10,6 +10,7 @@
 #![forbid(unsafe_code)]
 
 mod compile;
+mod crowd;
 mod judge;
 mod judgement;
 mod kit;
@@ -17,6 +18,7 @@ mod process;
 mod token;
 
 pub use compile::Compiler;
+pub use crowd::Crowd;
 pub use judge::{Judge, LONGEST_FILE};
 pub use judgement::{Judgement, LooksLike, Outcome, Unreadable, gave};
 pub use kit::{Build, Kit, KitError};
