@@ -12,7 +12,8 @@ pub(crate) fn in_the_course(exercise: &Exercise, submission: &str, line: usize) 
         given if given == exercise.name => exercise.reference.name,
         helper => helper,
     };
-    let there = exercise.source.lines().position(|line| line.starts_with("fn ") && name(line) == Some(name_there))?;
+    let there =
+        exercise.source.lines().position(|line| line.starts_with("fn ") && name(line) == Some(name_there))?;
     Some(there + (line - begin))
 }
 
@@ -30,7 +31,10 @@ mod tests {
     fn a_line_of_a_submission_is_found_in_the_exercises_file() {
         let exercise = course::find("lambert").expect("the exercise");
         let submission = exercise.submission(&exercise.reference).expect("its text");
-        let line = submission.lines().position(|line| line.contains(".max(0.0)") && !line.starts_with("//")).expect("a body");
+        let line = submission
+            .lines()
+            .position(|line| line.contains(".max(0.0)") && !line.starts_with("//"))
+            .expect("a body");
         let there = in_the_course(exercise, &submission, line + 1).expect("a place");
         assert_eq!(exercise.source.lines().nth(there - 1), submission.lines().nth(line));
     }

@@ -171,7 +171,8 @@ fn exercise(audited: &Audited) -> Json {
 
 fn survivor(survivor: &Survivor) -> Json {
     let Survivor { line, change, reason } = survivor;
-    let mut json = json!({ "line": line, "change": change.kind, "before": change.before, "after": change.after });
+    let mut json =
+        json!({ "line": line, "change": change.kind, "before": change.before, "after": change.after });
     if let Some(reason) = reason {
         json["equivalent"] = json!(reason);
     }
@@ -180,8 +181,11 @@ fn survivor(survivor: &Survivor) -> Json {
 
 fn line(table: &mut String, audited: &Audited) {
     let Recognized { rejected, diagnosed, total } = audited.misconceptions;
-    let misconceptions =
-        if rejected == diagnosed { format!("{rejected}/{total}") } else { format!("{rejected}, {diagnosed}/{total}") };
+    let misconceptions = if rejected == diagnosed {
+        format!("{rejected}/{total}")
+    } else {
+        format!("{rejected}, {diagnosed}/{total}")
+    };
     let wrong = audited.mutants.total - audited.mutants.equivalent();
     let _ = writeln!(
         table,

@@ -91,7 +91,8 @@ fn one(
     let variants = variants(exercise, seeds).map_err(fault)?;
     let (misconceptions, mut broke) = misconceptions(exercise).map_err(fault)?;
     let submission = exercise.submission(&exercise.reference).unwrap_or_default();
-    let unread = |e: &dyn std::fmt::Display| AuditError::Unread { exercise: exercise.name, why: e.to_string() };
+    let unread =
+        |e: &dyn std::fmt::Display| AuditError::Unread { exercise: exercise.name, why: e.to_string() };
     let made = mutants::mutants(&submission).map_err(|e| unread(&e))?;
     let tried = tried(exercise, judge, &made)?;
     let errors = errors(exercise, &made, &tried, equivalent);
@@ -150,8 +151,7 @@ fn misconceptions(exercise: &Exercise) -> Result<(Recognized, Vec<Broke>), Fault
 fn tried(exercise: &Exercise, judge: &Judge, mutants: &[Mutant]) -> Result<Vec<Option<Broke>>, AuditError> {
     let unwritten = |error| AuditError::Unwritten { folder: judge.scratch.clone(), error };
     fs::create_dir_all(&judge.scratch).map_err(unwritten)?;
-    let folder =
-        tempfile::Builder::new().prefix("mutants-").tempdir_in(&judge.scratch).map_err(unwritten)?;
+    let folder = tempfile::Builder::new().prefix("mutants-").tempdir_in(&judge.scratch).map_err(unwritten)?;
     let files: Vec<PathBuf> = (0..mutants.len()).map(|at| folder.path().join(format!("{at}.rs"))).collect();
     for (file, mutant) in files.iter().zip(mutants) {
         fs::write(file, &mutant.text).map_err(unwritten)?;
@@ -212,8 +212,12 @@ fn errors(
 ) -> Vec<String> {
     let here = equivalent.iter().filter(|it| it.exercise == exercise.name);
     here.filter_map(|entry| {
-        let its: Vec<&Option<Broke>> =
-            mutants.iter().zip(tried).filter(|(m, _)| entry.is(exercise.name, &m.change)).map(|(_, t)| t).collect();
+        let its: Vec<&Option<Broke>> = mutants
+            .iter()
+            .zip(tried)
+            .filter(|(m, _)| entry.is(exercise.name, &m.change))
+            .map(|(_, t)| t)
+            .collect();
         let wrong = if its.iter().all(|it| it.is_none()) {
             "no mutant that compiles is changed so: remove the entry"
         } else if its.iter().any(|it| it.as_ref().is_some_and(|broke| !broke.is_empty())) {

@@ -68,7 +68,9 @@ impl<'t> Finder<'t> {
         let repeated = Punctuated::<Expr, syn::Token![;]>::parse_terminated;
         let parts: Vec<Expr> = match listed.parse2(tokens.clone()) {
             Ok(parts) => parts.into_iter().collect(),
-            Err(_) => repeated.parse2(tokens.clone()).map_or_else(|_| Vec::new(), |it| it.into_iter().collect()),
+            Err(_) => {
+                repeated.parse2(tokens.clone()).map_or_else(|_| Vec::new(), |it| it.into_iter().collect())
+            }
         };
         for part in &parts {
             self.visit_expr(part);

@@ -58,7 +58,9 @@ pub fn mutants(text: &str) -> Result<Vec<Mutant>, syn::Error> {
     edits.sort_by_key(|edit| (edit.range.start, edit.range.end));
     let mut met = BTreeSet::from([text.to_owned()]);
     let made = edits.iter().map(|edit| made(text, edit));
-    Ok(made.filter(|mutant| met.insert(mutant.text.clone()) && syn::parse_file(&mutant.text).is_ok()).collect())
+    Ok(made
+        .filter(|mutant| met.insert(mutant.text.clone()) && syn::parse_file(&mutant.text).is_ok())
+        .collect())
 }
 
 fn made(text: &str, edit: &Edit) -> Mutant {

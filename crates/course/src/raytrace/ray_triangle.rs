@@ -88,6 +88,15 @@ fn examples() -> Vec<Example> {
             None::<TriangleHit>,
             TOLERANCE,
         ),
+        Example::new(
+            "a small triangle and a short direction: the determinant is 0.125, which is not 0",
+            arguments![
+                Ray { origin: vec3(1.125, 0.25, 3.0), direction: vec3(0.0, 0.0, -0.5) },
+                Triangle { a: vec3(1.0, 0.0, 2.0), b: vec3(1.5, 0.0, 2.0), c: vec3(1.0, 0.5, 2.0) }
+            ],
+            Some(TriangleHit { t: 2.0, beta: 0.25, gamma: 0.5 }),
+            TOLERANCE,
+        ),
     ]
 }
 
