@@ -86,7 +86,7 @@ mod tests {
         assert_eq!(read[1].before, ["a", "c"]);
         assert_eq!(read[1].after, ["d"]);
         assert_eq!(read[2].after, [""; 0]);
-        assert_eq!((read[3].exercise.as_str(), read[3].line), ("two", 13));
+        assert_eq!((read[3].exercise.as_str(), read[3].line), ("two", 14));
     }
 
     #[test]

@@ -62,6 +62,8 @@ pub struct Mutants {
     pub total: usize,
     /// Those that every law accepts, equivalent ones too.
     pub survivors: Vec<Survivor>,
+    /// Of the rejected ones those that the first seed accepts, with the seed that rejects: a student with that first seed would have passed.
+    pub late: Vec<(u64, Survivor)>,
 }
 
 /// A mutant that every law accepts.
@@ -201,16 +203,29 @@ fn line(table: &mut String, audited: &Audited) {
 }
 
 fn remarks(table: &mut String, audited: &Audited) {
-    for Survivor { line, change, .. } in audited.holes() {
-        let _ = writeln!(table, "\n{}: line {line}: {} is accepted", audited.name, change.kind);
-        for (mark, lines) in [("-", &change.before), ("+", &change.after)] {
-            for text in lines {
-                let _ = writeln!(table, "  {mark} {text}");
-            }
-        }
+    for survivor in audited.holes() {
+        shown(table, audited.name, survivor, "accepted");
+    }
+    for (seed, survivor) in &audited.mutants.late {
+        shown(
+            table,
+            audited.name,
+            survivor,
+            &format!("rejected with seed {seed} only, not with those before"),
+        );
     }
     let never_alone = audited.never_alone();
     if !never_alone.is_empty() {
         let _ = writeln!(table, "\n{}: catch nothing alone: {}", audited.name, never_alone.join(", "));
+    }
+}
+
+/// A mutant as a small difference.
+fn shown(table: &mut String, exercise: &str, Survivor { line, change, .. }: &Survivor, how: &str) {
+    let _ = writeln!(table, "\n{exercise}: line {line}: {}: {how}", change.kind);
+    for (mark, lines) in [("-", &change.before), ("+", &change.after)] {
+        for text in lines {
+            let _ = writeln!(table, "  {mark} {text}");
+        }
     }
 }

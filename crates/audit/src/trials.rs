@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use course::diagnosis::diagnose;
 use course::trial::{EXAMPLES, Examination, Outcome, examine};
-use course::{Answerer, Exercise, Fault, InProcess, Program};
+use course::{Exercise, Fault, InProcess, Program};
 use grader::{Crowd, Judge};
 use rayon::prelude::*;
 
@@ -55,6 +55,10 @@ pub enum AuditError {
 /// The laws that a wrong program broke, by their places; the worked examples are the first.
 type Broke = Vec<usize>;
 
+/// What became of a mutant: with the last seed that it was tried with the laws that it broke, none if all seeds accept it. `None` if it does not
+/// compile.
+type Tried = Option<(u64, Broke)>;
+
 /// Puts exercises on trial: right programs with so many `seeds`, misconceptions and mutants with a few. `progress` is told of each exercise that
 /// is done, from any thread.
 ///
@@ -98,17 +102,17 @@ fn one(
     let errors = errors(exercise, &made, &tried, equivalent);
     let mut mutants = Mutants::default();
     for (mutant, tried) in made.into_iter().zip(tried) {
-        match tried {
-            None => continue,
-            Some(broken) if broken.is_empty() => {
-                mutants.survivors.push(survivor(exercise, &submission, mutant, equivalent));
-            }
-            Some(broken) => {
-                mutants.rejected += 1;
-                broke.push(broken);
-            }
-        }
+        let Some((seed, broken)) = tried else { continue };
         mutants.total += 1;
+        if broken.is_empty() {
+            mutants.survivors.push(survivor(exercise, &submission, mutant, equivalent));
+            continue;
+        }
+        mutants.rejected += 1;
+        if seed > 1 {
+            mutants.late.push((seed, survivor(exercise, &submission, mutant, equivalent)));
+        }
+        broke.push(broken);
     }
     let laws = caught(exercise, &broke);
     Ok((Audited { name: exercise.name, variants, misconceptions, mutants, laws }, errors))
@@ -148,7 +152,7 @@ fn misconceptions(exercise: &Exercise) -> Result<(Recognized, Vec<Broke>), Fault
 }
 
 /// For each mutant the laws that it breaks: none if it is accepted with every seed, `None` if it does not compile.
-fn tried(exercise: &Exercise, judge: &Judge, mutants: &[Mutant]) -> Result<Vec<Option<Broke>>, AuditError> {
+fn tried(exercise: &Exercise, judge: &Judge, mutants: &[Mutant]) -> Result<Vec<Tried>, AuditError> {
     let unwritten = |error| AuditError::Unwritten { folder: judge.scratch.clone(), error };
     fs::create_dir_all(&judge.scratch).map_err(unwritten)?;
     let folder = tempfile::Builder::new().prefix("mutants-").tempdir_in(&judge.scratch).map_err(unwritten)?;
@@ -159,22 +163,20 @@ fn tried(exercise: &Exercise, judge: &Judge, mutants: &[Mutant]) -> Result<Vec<O
     let fault = |why: String| AuditError::Judge { exercise: exercise.name, why };
     let paths: Vec<&Path> = files.iter().map(PathBuf::as_path).collect();
     let crowd = judge.crowd(exercise, &paths).map_err(|outcome| fault(format!("{outcome:?}")))?;
-    let all: Result<Vec<Option<Broke>>, Fault> =
+    let all: Result<Vec<Tried>, Fault> =
         (0..mutants.len()).into_par_iter().map(|at| ask(exercise, &crowd, at)).collect();
     all.map_err(|it| fault(it.to_string()))
 }
 
-/// The laws that one mutant breaks with the first seed that rejects it.
-fn ask(exercise: &Exercise, crowd: &Crowd, at: usize) -> Result<Option<Broke>, Fault> {
+fn ask(exercise: &Exercise, crowd: &Crowd, at: usize) -> Result<Tried, Fault> {
     for seed in 1..=SEEDS_OF_MUTANTS {
         let Some(mut answerer) = crowd.answerer(at) else { return Ok(None) };
-        let answerer: &mut dyn Answerer = &mut answerer;
-        let examination = examine(exercise, seed, answerer)?;
+        let examination = examine(exercise, seed, &mut answerer)?;
         if !examination.passed() {
-            return Ok(Some(broken(&examination)));
+            return Ok(Some((seed, broken(&examination))));
         }
     }
-    Ok(Some(Broke::new()))
+    Ok(Some((SEEDS_OF_MUTANTS, Broke::new())))
 }
 
 /// The laws that did not hold, by their places.
@@ -207,12 +209,12 @@ fn survivor(exercise: &Exercise, submission: &str, mutant: Mutant, equivalent: &
 fn errors(
     exercise: &Exercise,
     mutants: &[Mutant],
-    tried: &[Option<Broke>],
+    tried: &[Tried],
     equivalent: &[Equivalent],
 ) -> Vec<String> {
     let here = equivalent.iter().filter(|it| it.exercise == exercise.name);
     here.filter_map(|entry| {
-        let its: Vec<&Option<Broke>> = mutants
+        let its: Vec<&Tried> = mutants
             .iter()
             .zip(tried)
             .filter(|(m, _)| entry.is(exercise.name, &m.change))
@@ -220,7 +222,7 @@ fn errors(
             .collect();
         let wrong = if its.iter().all(|it| it.is_none()) {
             "no mutant that compiles is changed so: remove the entry"
-        } else if its.iter().any(|it| it.as_ref().is_some_and(|broke| !broke.is_empty())) {
+        } else if its.iter().any(|it| it.as_ref().is_some_and(|(_, broke)| !broke.is_empty())) {
             "the mutant is rejected, so it is not equivalent: remove the entry"
         } else {
             return None;

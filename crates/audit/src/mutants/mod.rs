@@ -10,6 +10,8 @@ mod finder;
 mod names;
 mod numbers;
 mod operators;
+#[cfg(test)]
+mod tests;
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -80,21 +82,4 @@ fn difference(a: &str, b: &str) -> (usize, Vec<String>, Vec<String>) {
         trimmed.filter(|line| !line.is_empty()).collect()
     };
     (first, lines(&a), lines(&b))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_difference_is_the_lines_between_what_is_the_same() {
-        let (at, before, after) = difference("a\n  b\nc\n", "a\n  d\n\nc\n");
-        assert_eq!((at, before, after), (1, vec!["b".to_owned()], vec!["d".to_owned()]));
-    }
-
-    #[test]
-    fn a_repeated_line_is_counted_once() {
-        let (at, before, after) = difference("a\na\na\n", "a\na\n");
-        assert_eq!((at, before, after), (2, vec!["a".to_owned()], vec![]));
-    }
 }
