@@ -1,7 +1,28 @@
 //! How are two hundred submissions graded with one command, and what is said about them?
 //!
+//! - [`intake`]: who handed in what.
+//! - [`Grading`]: has each judged, keeps what was judged, goes on where a run was ended.
+//! - [`merge()`]: puts together what several machines judged; [`changes()`]: compares with an older report.
 //! - [`results`]: what is known of a class once it has been graded; every report is made from it.
 
 #![forbid(unsafe_code)]
 
+mod changes;
+mod grading;
+pub mod intake;
+mod kept;
+mod merge;
+mod outline;
+mod partition;
+mod report_folder;
 pub mod results;
+mod sum;
+mod verdict;
+
+pub use changes::{Change, Changes, changes};
+pub use grading::{GradeError, Grading, Write};
+pub use kept::FOLDER as KEPT;
+pub use merge::{MergeError, RESULTS, merge, read, read_with_pictures};
+pub use outline::course;
+pub use partition::{NoPartition, Partition};
+pub use report_folder::{RUN, files, read_run, run_json};

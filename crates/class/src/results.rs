@@ -19,6 +19,9 @@ pub struct Results {
     pub schema: String,
     /// [`VERSION`].
     pub version: u32,
+    /// The share of the class that this is, "count:1/3"; absent where it is the whole class.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub partition: Option<String>,
     /// What was judged by.
     pub course: Course,
     /// How inputs were chosen.

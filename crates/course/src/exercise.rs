@@ -76,6 +76,12 @@ impl Exercise {
         (self.draw)(&seen)
     }
 
+    /// Whether these are the bytes of the file as it was handed out, but for the ends of lines and a byte order mark.
+    pub fn is_untouched(&self, bytes: &[u8]) -> bool {
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        bytes.iter().filter(|byte| **byte != b'\r').eq(self.stub.as_bytes())
+    }
+
     /// Where the student's file lies in the folder of exercises: "transforms/rotate_about_point.rs".
     pub fn path(&self) -> String {
         format!("{}/{}.rs", self.concept.name(), self.name)

@@ -6,13 +6,14 @@ use std::path::{Path, PathBuf};
 
 use course::diagnosis::diagnose;
 use course::trial::{Examination, examine};
-use course::{Exercise, Loss, Picture, Reply};
+use course::{Exercise, Fault, Loss, Picture, Reply};
 use rayon::prelude::*;
 
 use crate::compile::{Compiler, NotCompiled, Part};
-use crate::judgement::{Judgement, LooksLike, Outcome, Unreadable};
+use crate::doubt;
+use crate::judgement::{Forfeit, Judgement, LooksLike, Outcome, Unreadable};
 use crate::kit::{Build, Kit};
-use crate::process::{Limits, Printed, Process};
+use crate::process::{Limits, Process};
 use crate::token::Token;
 
 /// A file over this size is not the solution of an exercise, in bytes.
@@ -45,24 +46,41 @@ impl Judge {
         }
     }
 
-    /// Judges many files, on all processors. They are compiled together, which takes little longer than one; if that fails,
-    /// each on its own, so that one that does not compile costs no other.
+    /// Judges many files, on all processors. They are compiled together, which takes little longer than one. If that fails, those that rustc names
+    /// are compiled on their own, so that one that does not compile costs no other; and where it names none, all are.
     pub fn judge_all(&self, files: &[(&Exercise, &Path)], seed: u64) -> Vec<Judgement> {
         let readable: Vec<Part<'_>> = files
             .iter()
             .filter(|(_, file)| unreadable(file).is_none())
             .map(|(exercise, file)| Part { exercise, file })
             .collect();
-        let together = if readable.len() > 1 { self.worker(&readable).ok() } else { None };
+        let (together, worker) = self.largest_worker(readable);
         let judge = |(exercise, file): &(&Exercise, &Path)| {
             let place =
-                readable.iter().position(|part| part.file == *file && part.exercise.name == exercise.name);
-            match (&together, place) {
+                together.iter().position(|part| part.file == *file && part.exercise.name == exercise.name);
+            match (&worker, place) {
                 (Some(worker), Some(place)) => self.examine(exercise, worker, place as u32, seed),
                 _ => self.judge(exercise, file, seed),
             }
         };
         files.par_iter().map(judge).collect()
+    }
+
+    /// A worker of as many of these files as compile together, and which they are; none where rustc does not say which are wrong.
+    fn largest_worker<'a>(&self, mut parts: Vec<Part<'a>>) -> (Vec<Part<'a>>, Option<Worker>) {
+        while parts.len() > 1 {
+            let message = match self.worker(&parts) {
+                Ok(worker) => return (parts, Some(worker)),
+                Err(Outcome::DoesNotCompile { message, .. }) => message,
+                Err(_) => break,
+            };
+            let all = parts.len();
+            parts.retain(|part| !message.contains(&named(part.exercise)));
+            if parts.len() == all {
+                break;
+            }
+        }
+        (Vec::new(), None)
     }
 
     /// Compiles files into one worker.
@@ -103,11 +121,16 @@ impl Judge {
         let mut asked = process();
         let examination = examine(exercise, seed, &mut asked);
         let printed = asked.finish();
-        match examination {
-            Ok(examination) => weigh(exercise, examination, printed, process, blank),
-            Err(fault) => Judgement { outcome: Outcome::GraderError(fault.to_string()), printed, ..blank },
-        }
+        let weighed = examination
+            .and_then(|examination| weigh(exercise, examination, process, blank.clone()))
+            .unwrap_or_else(|fault| Judgement { outcome: Outcome::GraderError(fault.to_string()), ..blank });
+        Judgement { printed, ..weighed }
     }
+}
+
+/// How rustc names the file of an exercise, whatever folder it lies in.
+fn named(exercise: &Exercise) -> String {
+    format!("{}.rs:", exercise.name)
 }
 
 /// A compiled worker; its folder goes with it.
@@ -117,19 +140,34 @@ pub(crate) struct Worker {
 }
 
 /// What an examination comes to.
+///
+/// # Errors
+/// [`Fault`]: there is no further process to ask.
 fn weigh(
     exercise: &Exercise,
     examination: Examination,
-    printed: Printed,
-    process: impl FnOnce() -> Process,
+    process: impl Fn() -> Process,
     blank: Judgement,
-) -> Judgement {
-    let outcome = outcome(&examination);
+) -> Result<Judgement, Fault> {
+    let mut outcome = outcome(&examination);
+    // Nothing is to be gained by answering twice where nothing is gained.
+    if matches!(outcome, Outcome::Passed | Outcome::Wrong)
+        && examination.points() > 0
+        && let Some(twice) = doubt::unsteady(&examination, &mut process())?
+    {
+        outcome = Outcome::Unsteady(Box::new(twice));
+    }
+    let forfeit = match &outcome {
+        Outcome::Unsteady(_) => Some(Forfeit::Unsteady),
+        Outcome::Exited(_) | Outcome::Crashed(_) => Some(Forfeit::Ended),
+        Outcome::Wrong if doubt::is_constant(exercise, &examination) => Some(Forfeit::Constant),
+        _ => None,
+    };
     let wrong = matches!(outcome, Outcome::Wrong);
     let looks_like = if wrong { looks_like(exercise, &examination) } else { None };
     let picture = if wrong { picture(exercise, &examination, process()) } else { None };
-    let points = examination.points();
-    Judgement { outcome, points, laws: examination.laws, looks_like, picture, printed, ..blank }
+    let points = if forfeit.is_some() { 0 } else { examination.points() };
+    Ok(Judgement { outcome, points, forfeit, laws: examination.laws, looks_like, picture, ..blank })
 }
 
 /// The counterexample's last call, drawn.

@@ -5,6 +5,7 @@ use course::{Exercise, Picture, Reply, Value};
 use serde_json::{Value as Json, json};
 use worker::wire::Panic;
 
+use crate::doubt::Twice;
 use crate::process::{Output, Printed};
 use crate::token::Token;
 
@@ -21,8 +22,10 @@ pub struct Judgement {
     pub token: Token,
     /// The whole in a word.
     pub outcome: Outcome,
-    /// The points of the laws that hold.
+    /// The points of the laws that hold; none where they are forfeited.
     pub points: u32,
+    /// Why laws that hold are worth nothing, if so.
+    pub forfeit: Option<Forfeit>,
     /// The points of all laws.
     pub of: u32,
     /// How each law went.
@@ -36,12 +39,14 @@ pub struct Judgement {
 }
 
 /// The whole in a word. Whatever can become of a file has its own.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
     /// All laws hold.
     Passed,
     /// A law does not hold.
     Wrong,
+    /// The same call was answered in two ways.
+    Unsteady(Box<Twice>),
     /// It panicked.
     Panicked(Panic),
     /// A call did not return within this many milliseconds.
@@ -72,6 +77,32 @@ pub enum Outcome {
     },
     /// The grader's own error; never counted against the student.
     GraderError(String),
+}
+
+/// Why laws that hold are worth nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Forfeit {
+    /// The function does not depend on its arguments alone.
+    Unsteady,
+    /// The function ended its process, or sent what is no answer.
+    Ended,
+    /// The function gives one answer to every call.
+    Constant,
+}
+
+impl Forfeit {
+    /// In a sentence.
+    pub fn sentence(self) -> &'static str {
+        match self {
+            Self::Unsteady => {
+                "No points: laws that hold for a function that changes its answers say nothing about it."
+            }
+            Self::Ended => {
+                "No points: an exercise returns a value, and leaves the process that runs it alone."
+            }
+            Self::Constant => "No points: the answer is the same whatever the arguments are.",
+        }
+    }
 }
 
 /// Why a file cannot even be compiled.
@@ -115,6 +146,7 @@ impl Outcome {
         match self {
             Self::Passed => "passed",
             Self::Wrong => "wrong",
+            Self::Unsteady(_) => "unsteady",
             Self::Panicked(_) => "panicked",
             Self::TimedOut(_) => "timed out",
             Self::OutOfMemory => "out of memory",
@@ -135,6 +167,12 @@ impl Outcome {
     pub fn sentence(&self) -> Option<String> {
         Some(match self {
             Self::Passed | Self::Wrong => return None,
+            Self::Unsteady(twice) => format!(
+                "The same call gave {}, and when it was asked again {}. A solution depends on its arguments alone: not on what was asked before, on \
+                 time or on chance.",
+                twice.first,
+                gave(&twice.again)
+            ),
             Self::Panicked(panic) => panicked(panic),
             Self::TimedOut(limit) => {
                 format!(
@@ -191,6 +229,7 @@ impl Judgement {
             token,
             outcome: Outcome::NotStarted,
             points: 0,
+            forfeit: None,
             of: exercise.points(),
             laws: Vec::new(),
             looks_like: None,
@@ -241,6 +280,7 @@ impl Judgement {
             "compiler": compiler(&self.outcome),
             "points": self.points,
             "of": self.of,
+            "forfeit": self.forfeit.map(Forfeit::sentence),
             "laws": self.laws.iter().map(|law| self.law_json(law)).collect::<Vec<_>>(),
             "looks_like": self.looks_like.map(|it| json!({
                 "misconception": it.misconception,

@@ -29,14 +29,14 @@ pub struct Build {
     pub package: &'static str,
     /// The profile, "release" or "dev": that of the running program.
     pub profile: &'static str,
-    /// Whether the package's default features are left out, as they were for the running program.
-    pub bare: bool,
+    /// The arguments that ask cargo for the features of the running program: none for the default ones.
+    pub features: &'static [&'static str],
 }
 
 impl Build {
     /// For a program of this package, with the profile that this library was built with.
     pub fn of(package: &'static str) -> Self {
-        Self { package, profile: if cfg!(debug_assertions) { "dev" } else { "release" }, bare: false }
+        Self { package, profile: if cfg!(debug_assertions) { "dev" } else { "release" }, features: &[] }
     }
 }
 
@@ -66,7 +66,7 @@ impl Kit {
         let output = Command::new(cargo)
             .current_dir(root)
             .args(["build", "--package", build.package, "--profile", build.profile])
-            .args(if build.bare { &["--no-default-features"][..] } else { &[] })
+            .args(build.features)
             .args(["--message-format", "json-render-diagnostics"])
             .stdin(Stdio::null())
             .output()

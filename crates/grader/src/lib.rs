@@ -11,6 +11,7 @@
 
 mod compile;
 mod crowd;
+mod doubt;
 mod judge;
 mod judgement;
 mod kit;
@@ -19,8 +20,9 @@ mod token;
 
 pub use compile::Compiler;
 pub use crowd::Crowd;
+pub use doubt::Twice;
 pub use judge::{Judge, LONGEST_FILE};
-pub use judgement::{Judgement, LooksLike, Outcome, Unreadable, gave};
+pub use judgement::{Forfeit, Judgement, LooksLike, Outcome, Unreadable, gave};
 pub use kit::{Build, Kit, KitError};
 pub use process::{Limits, Output, Printed};
 pub use token::{NoToken, Token, version};

@@ -3,7 +3,8 @@
 mod bench;
 
 use bench::{Bench, in_function};
-use grader::{Outcome, Unreadable};
+use course::trial::Outcome as LawOutcome;
+use grader::{Forfeit, Outcome, Unreadable};
 
 /// Judges a body of `rotate_about_point` and gives the outcome.
 fn of_body(body: &str) -> Outcome {
@@ -215,4 +216,24 @@ fn the_same_token_gives_the_same_bytes() {
     let judged = |seed| bench.judge_with(&source, seed).json().to_string();
     assert_eq!(judged(5), judged(5));
     assert_ne!(judged(5), judged(6));
+}
+
+#[test]
+fn a_function_that_remembers_is_unsteady_and_gains_nothing() {
+    // Right at every first call of its process, and at every second one wrong by a little.
+    let body = "use std::sync::atomic::{AtomicUsize, Ordering};\n    static ASKED: AtomicUsize = AtomicUsize::new(0);\n    \
+        let p = if ASKED.fetch_add(1, Ordering::Relaxed) < 3 { p } else { Vec2::ZERO };\n    \
+        Mat3::from_translation(p) * Mat3::from_angle(theta) * Mat3::from_translation(-p)";
+    let judgement = Bench::new().judge(&in_function(body));
+    assert!(matches!(judgement.outcome, Outcome::Unsteady(_)), "{:?}", judgement.outcome);
+    assert!(judgement.laws.iter().any(|law| matches!(law.outcome, LawOutcome::Kept(_))));
+    assert_eq!((judgement.points, judgement.forfeit), (0, Some(Forfeit::Unsteady)));
+}
+
+#[test]
+fn a_constant_keeps_laws_and_gains_nothing() {
+    let judgement = Bench::new().judge(&in_function("Mat3::IDENTITY"));
+    assert_eq!(judgement.outcome, Outcome::Wrong);
+    assert!(judgement.laws.iter().any(|law| matches!(law.outcome, LawOutcome::Kept(_))));
+    assert_eq!((judgement.points, judgement.forfeit), (0, Some(Forfeit::Constant)));
 }

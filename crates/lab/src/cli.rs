@@ -77,6 +77,9 @@ pub(crate) enum Command {
     /// What draws.
     #[command(flatten)]
     Pictures(crate::pictures::Command),
+    /// What a lecturer needs.
+    #[command(flatten)]
+    Class(crate::class::Command),
 }
 
 /// `cargo lab` alone.

@@ -1,15 +1,22 @@
 //! How do I solve an exercise, see a scene, or show a figure of the lecture? With `cargo lab`.
 //!
-//! [`cli`] says what can be typed. [`student`] holds what an exercise needs, [`pictures`] what draws; the latter is a feature, so that a student's
-//! first build is short. Beneath them, [`unfinished`] writes a file whole or not at all, [`signals`] keeps that promise when somebody presses Ctrl-C,
+//! [`cli`] says what can be typed. [`student`] holds what an exercise needs, [`pictures`] what draws, [`class`] what a lecturer needs; the latter two are features, so
+//! that a student's first build is short. Beneath them, [`unfinished`] writes a file whole or not at all, [`signals`] keeps that promise when somebody presses Ctrl-C,
 //! [`speech`] writes to the terminal, and [`failure`] says what went wrong.
 
 #![forbid(unsafe_code)]
 
+#[cfg(not(feature = "class"))]
+#[path = "elsewhere/class.rs"]
+mod class;
+#[cfg(feature = "class")]
+mod class;
 mod cli;
+#[cfg(not(all(feature = "pictures", feature = "class")))]
+mod elsewhere;
 mod failure;
 #[cfg(not(feature = "pictures"))]
-#[path = "elsewhere.rs"]
+#[path = "elsewhere/pictures.rs"]
 mod pictures;
 #[cfg(feature = "pictures")]
 mod pictures;
@@ -45,6 +52,7 @@ fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Some(Command::Solution(asked)) => student::solution::run(asked),
         Some(Command::Reset(asked)) => student::reset::run(asked),
         Some(Command::Pictures(asked)) => pictures::run(asked),
+        Some(Command::Class(asked)) => class::run(asked),
         None => student::board::run(&cli.board),
     }
 }

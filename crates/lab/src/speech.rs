@@ -26,6 +26,12 @@ pub(crate) fn warn(text: &str) {
     let _ = writeln!(io::stderr(), "warning: {text}");
 }
 
+/// Says on standard error how far it is.
+#[cfg(feature = "class")]
+pub(crate) fn tell(text: &str) {
+    let _ = writeln!(io::stderr(), "{text}");
+}
+
 /// Says on standard error why the command ends.
 pub(crate) fn complain(failure: &Failure) {
     // One call, so that two programs that write to one terminal do not mix their lines.

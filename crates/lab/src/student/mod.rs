@@ -15,8 +15,8 @@ pub(crate) mod reset;
 pub(crate) mod solution;
 mod verdict;
 pub(crate) mod watch;
-mod which;
-mod workbench;
+pub(crate) mod which;
+pub(crate) mod workbench;
 
 // Only signals ask for it.
 #[cfg(unix)]

@@ -30,6 +30,11 @@ pub(crate) fn text(judgement: &Judgement, exercise: &Exercise, picture: Option<&
     if judgement.outcome != Outcome::NotStarted {
         lines.extend(judgement.laws.iter().map(law_line));
     }
+    lines.extend(judgement.forfeit.map(|forfeit| wrapped(forfeit.sentence(), "  ")));
+    if let Outcome::Unsteady(twice) = &judgement.outcome {
+        lines.push("  The call:".to_owned());
+        lines.push(call(judgement, &twice.arguments, &Reply::Value(twice.first.clone())));
+    }
     if let Some((law, counterexample)) = judgement.counterexample() {
         lines.extend(shown(judgement, law, counterexample));
     }

@@ -30,7 +30,7 @@ pub(crate) struct Workbench {
     /// Where verdicts are remembered and pictures drawn: beside the exercises, so that cleaning what was built loses nothing.
     pub(crate) home: PathBuf,
     /// Where things are compiled; all of it can be made again.
-    scratch: PathBuf,
+    pub(crate) scratch: PathBuf,
 }
 
 impl Workbench {
@@ -96,7 +96,7 @@ impl Workbench {
         // A debug build is one for tests. What is built for tests of the whole workspace has other features than a build of this package alone, which
         // would build everything a second time; the worker alone is soon built.
         let package = if cfg!(debug_assertions) { "worker" } else { env!("CARGO_PKG_NAME") };
-        let build = Build { bare: cfg!(not(feature = "pictures")), ..Build::of(package) };
+        let build = Build { features: features(), ..Build::of(package) };
         let kit = Kit::remembered(&self.root, build, &memory).map_err(|e| {
             Failure::new(e.to_string(), "see that `cargo build --release --package lab` succeeds")
         })?;
@@ -148,12 +148,19 @@ impl Workbench {
     }
 }
 
+/// The features of this program, as cargo is asked for them.
+fn features() -> &'static [&'static str] {
+    match (cfg!(feature = "pictures"), cfg!(feature = "class")) {
+        (true, true) => &[],
+        (true, false) => &["--no-default-features", "--features", "pictures"],
+        (false, true) => &["--no-default-features", "--features", "class"],
+        (false, false) => &["--no-default-features"],
+    }
+}
+
 /// Whether the file is as it was handed out, but for the ends of lines.
 pub(crate) fn is_untouched(exercise: &Exercise, file: &Path) -> bool {
-    bytes_of(file).is_some_and(|bytes| {
-        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
-        bytes.iter().filter(|byte| **byte != b'\r').eq(exercise.stub.as_bytes())
-    })
+    bytes_of(file).is_some_and(|bytes| exercise.is_untouched(&bytes))
 }
 
 /// The bytes of a student's file; `None` if there is none, or it is no file of a solution's size: a device, a pipe, a disk image.

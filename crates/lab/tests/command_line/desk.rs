@@ -14,6 +14,11 @@ pub(crate) const LAB: &str = env!("CARGO_BIN_EXE_lab");
 pub(crate) const MESH: &str =
     "v 0 0 0\nv 3 0.2 0.1\nv 0.3 2 0\nv 0.5 0.4 1.7\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
 
+/// The project's folder.
+pub(crate) fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("crates/lab").to_owned()
+}
+
 /// An empty folder; it goes when the test ends.
 pub(crate) struct Desk {
     folder: TempDir,

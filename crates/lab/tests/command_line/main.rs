@@ -4,6 +4,7 @@ mod compare;
 mod desk;
 mod figures;
 mod flags;
+mod grade;
 mod help;
 mod interruption;
 mod render;

@@ -11,7 +11,7 @@ use std::time::Duration;
 use serde_json::Value as Json;
 use tempfile::TempDir;
 
-use crate::desk::{LAB, Said};
+use crate::desk::{LAB, Said, root};
 
 const NAME: &str = "rotate_about_point";
 
@@ -22,10 +22,6 @@ const WRONG: &str = "Mat3::from_angle(theta) * Mat3::from_translation(-p)";
 /// A copy of the exercises as they are handed out.
 struct Student {
     folder: TempDir,
-}
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("crates/lab").to_owned()
 }
 
 impl Student {

@@ -1,36 +1,16 @@
-//! What if this program was built without the commands that draw? Then cargo builds them, the first time that one is asked for.
+//! What if this program was built without the commands that were asked for? Then cargo builds them, the first time that one is.
 //!
-//! The renderers, image formats and figures take longer to build than everything that an exercise needs, so `cargo lab` leaves them out
+//! What draws and what grades a class takes longer to build than everything that an exercise needs, so `cargo lab` leaves both out
 //! (`.cargo/config.toml`): who begins with an exercise waits for half as long.
 
 use std::ffi::OsString;
 use std::path::Path;
 use std::process::Command as Process;
 
-use clap::{Args, Subcommand};
+use clap::Args;
 
 use crate::cli::Outcome;
 use crate::failure::Failure;
-
-/// The commands that draw; what follows them is for the program that can.
-#[derive(Debug, Subcommand)]
-pub(crate) enum Command {
-    /// Draw a scene or a mesh and write the picture to a file
-    #[command(disable_help_flag = true)]
-    Render(Words),
-    /// Say whether two pictures are the same, and where they differ
-    #[command(disable_help_flag = true)]
-    Compare(Words),
-    /// Draw the lecture's figures into a folder, with a page that shows them
-    #[command(disable_help_flag = true)]
-    Figures(Words),
-    /// Put the lecture's claims on trial
-    #[command(disable_help_flag = true)]
-    Claims(Words),
-    /// List the built-in scenes, or print one as a scene file
-    #[command(disable_help_flag = true)]
-    Scenes(Words),
-}
 
 /// Whatever was typed.
 #[derive(Args, Debug)]
@@ -39,15 +19,16 @@ pub(crate) struct Words {
     _words: Vec<OsString>,
 }
 
-/// Hands the whole command line to the program that draws.
+/// Hands the whole command line to a program with this feature.
 ///
 /// # Errors
 /// [`Failure`] if cargo does not start.
-pub(crate) fn run(_command: &Command) -> Result<Outcome, Failure> {
+pub(crate) fn run(feature: &str) -> Result<Outcome, Failure> {
     let manifest = Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml");
     let mut cargo = Process::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     cargo
-        .args(["run", "--quiet", "--release", "--package", env!("CARGO_PKG_NAME"), "--manifest-path"])
+        .args(["run", "--quiet", "--release", "--package", env!("CARGO_PKG_NAME")])
+        .args(["--no-default-features", "--features", feature, "--manifest-path"])
         .arg(manifest)
         .arg("--")
         .args(std::env::args_os().skip(1));

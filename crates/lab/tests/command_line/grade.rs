@@ -1,0 +1,247 @@
+//! A class graded: reports, going on after the end, shares put together, changes.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use serde_json::Value as Json;
+use tempfile::TempDir;
+
+use crate::desk::{LAB, Said, root};
+
+/// A class of small submissions, and a place for reports.
+struct Lecturer {
+    folder: TempDir,
+}
+
+impl Lecturer {
+    /// Students with one exercise each: the body of `rotate_about_point`.
+    fn new(students: &[(&str, &str)]) -> Self {
+        let lecturer = Self { folder: tempfile::tempdir().expect("a folder") };
+        for (name, body) in students {
+            lecturer.hands_in(name, body);
+        }
+        lecturer
+    }
+
+    fn hands_in(&self, student: &str, body: &str) {
+        let exercise = course::find("rotate_about_point").expect("the exercise");
+        let file = self.path("class").join(student).join("rotate_about_point.rs");
+        fs::create_dir_all(file.parent().expect("a folder")).expect("made");
+        fs::write(file, exercise.stub.replace("todo!()", body)).expect("written");
+    }
+
+    fn path(&self, name: &str) -> std::path::PathBuf {
+        self.folder.path().join(name)
+    }
+
+    fn command(&self, line: &str) -> Command {
+        let here = self.folder.path().display().to_string();
+        let mut command = Command::new(LAB);
+        command.args(line.split_whitespace().map(|word| word.replace('@', &format!("{here}/"))));
+        command.current_dir(root()).stdin(Stdio::null());
+        command
+    }
+
+    fn says(&self, line: &str) -> Said {
+        Said::of(&mut self.command(line))
+    }
+
+    fn results(&self, report: &str) -> Json {
+        let bytes = fs::read(self.path(report).join("results.json")).expect("results");
+        serde_json::from_slice(&bytes).expect("JSON")
+    }
+}
+
+const RIGHT: &str = "Mat3::from_translation(p) * Mat3::from_angle(theta) * Mat3::from_translation(-p)";
+const NOT_MOVED_BACK: &str = "Mat3::from_angle(theta) * Mat3::from_translation(-p)";
+
+/// Every file of a folder, by its path.
+fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut all = BTreeMap::new();
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+        if path.is_dir() {
+            all.extend(files(&path).into_iter().map(|(inner, bytes)| (format!("{name}/{inner}"), bytes)));
+        } else {
+            all.insert(name, fs::read(&path).expect("read"));
+        }
+    }
+    all
+}
+
+fn same(one: &Path, other: &Path) {
+    let (one, other) = (files(one), files(other));
+    assert_eq!(one.keys().collect::<Vec<_>>(), other.keys().collect::<Vec<_>>());
+    for (name, bytes) in &one {
+        assert!(bytes == &other[name], "{name} differs");
+    }
+}
+
+#[test]
+fn a_class_is_graded_and_every_outcome_is_its_own() {
+    let lecturer = Lecturer::new(&[
+        ("ada", RIGHT),
+        ("bob", NOT_MOVED_BACK),
+        ("cleo", "loop {}"),
+        ("dan", "does not compile"),
+        ("eve", "std::process::exit(0)"),
+        ("fay", "todo!()"),
+    ]);
+    let said = lecturer.says("grade @class --out @report");
+    assert_eq!(said.code, Some(0), "{said:?}");
+    assert!(said.out.contains("6 submissions"), "{said:?}");
+    let results = lecturer.results("report");
+    let outcomes: Vec<(&str, &str, u64)> = results["submissions"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .map(|it| {
+            let verdict = &it["verdicts"][0];
+            (
+                it["id"].as_str().expect("an id"),
+                verdict["outcome"].as_str().expect("a word"),
+                it["points"].as_u64().expect("points"),
+            )
+        })
+        .collect();
+    let expected = [
+        ("ada", "passed", 10),
+        ("bob", "wrong", 6),
+        ("cleo", "timed_out", 0),
+        ("dan", "does_not_compile", 0),
+        ("eve", "exited", 0),
+        ("fay", "not_started", 0),
+    ];
+    assert_eq!(outcomes, expected);
+    let bob = &results["submissions"][1]["verdicts"][0];
+    assert_eq!(bob["looks_like"]["misconception"], "not_moved_back");
+    assert!(bob["picture"].is_null(), "pictures stand in the feedback");
+    for name in ["class.html", "grades.csv", "feedback/bob.html", "feedback/bob.md", "judged/bob.json"] {
+        assert!(lecturer.path("report").join(name).is_file(), "{name}");
+    }
+    let feedback = fs::read_to_string(lecturer.path("report/feedback/bob.html")).expect("feedback");
+    assert!(feedback.contains("<svg") && feedback.contains("not back"), "{feedback}");
+}
+
+#[test]
+fn a_second_run_gives_the_same_bytes_and_another_seed_other_inputs() {
+    let lecturer = Lecturer::new(&[("ada", RIGHT), ("bob", NOT_MOVED_BACK)]);
+    assert_eq!(lecturer.says("grade @class --out @one").code, Some(0));
+    assert_eq!(lecturer.says("grade @class --out @two --jobs 1 --quiet").code, Some(0));
+    same(&lecturer.path("one"), &lecturer.path("two"));
+    assert_eq!(lecturer.says("grade @class --out @three --seeds per-student --seed 7").code, Some(0));
+    let three = lecturer.results("three");
+    assert_eq!(three["seeds"], serde_json::json!({ "seed": 7, "per_student": true }));
+    assert_ne!(three["submissions"][0]["seed"], three["submissions"][1]["seed"]);
+    assert_eq!(three["submissions"][0]["points"], 10);
+}
+
+#[test]
+fn shares_put_together_are_the_whole_to_the_byte() {
+    let lecturer =
+        Lecturer::new(&[("ada", RIGHT), ("bob", NOT_MOVED_BACK), ("cleo", "todo!()"), ("dan", "{")]);
+    assert_eq!(lecturer.says("grade @class --out @whole").code, Some(0));
+    for part in 1..=3 {
+        let said = lecturer.says(&format!("grade @class --out @part{part} --partition {part}/3"));
+        assert_eq!(said.code, Some(0), "{said:?}");
+    }
+    assert_eq!(lecturer.results("part2")["partition"], "count:2/3");
+    let said = lecturer.says("merge @part3 @part1 @part2 --out @merged");
+    assert_eq!(said.code, Some(0), "{said:?}");
+    same(&lecturer.path("whole"), &lecturer.path("merged"));
+
+    let said = lecturer.says("merge @part1 @part3 --out @torn");
+    assert!(said.code == Some(2) && said.err.contains("of 3 parts, these are missing: 2"), "{said:?}");
+    let said = lecturer.says("merge @part1 @part2 @part3 @part1 --out @torn");
+    assert!(said.code == Some(2) && said.err.contains("both hold ada"), "{said:?}");
+    assert!(!lecturer.path("torn").exists());
+}
+
+#[test]
+fn a_run_that_was_killed_goes_on_and_judges_nothing_twice() {
+    let lecturer = Lecturer::new(&[("ada", RIGHT), ("bob", NOT_MOVED_BACK), ("cleo", RIGHT)]);
+    lecturer.hands_in("zoe", "loop {}");
+    assert_eq!(lecturer.says("grade @class --out @whole --seed 5").code, Some(0));
+    let mut run =
+        lecturer.command("grade @class --out @killed --seed 5 --jobs 1 --quiet").spawn().expect("started");
+    while !lecturer.path("killed/judged/cleo.json").is_file() {
+        assert!(run.try_wait().expect("asked").is_none(), "it was over too soon");
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    run.kill().expect("killed");
+    run.wait().expect("ended");
+    assert!(!lecturer.path("killed/results.json").exists());
+
+    let said = lecturer.says("grade @class --out @killed");
+    assert!(said.code == Some(2) && said.err.contains("--resume"), "{said:?}");
+    let said = lecturer.says("grade @class --out @killed --resume");
+    assert_eq!(said.code, Some(0), "{said:?}");
+    assert!(said.err.matches(", known").count() >= 3, "{said:?}");
+    same(&lecturer.path("whole"), &lecturer.path("killed"));
+
+    lecturer.hands_in("ada", NOT_MOVED_BACK);
+    let said = lecturer.says("grade @class --out @killed --resume");
+    assert_eq!(said.err.matches(", known").count(), 3, "{said:?}");
+    let results = lecturer.results("killed");
+    assert_eq!(results["submissions"][0]["verdicts"][0]["outcome"], "wrong");
+}
+
+#[test]
+fn changes_are_listed_with_the_laws_that_made_them() {
+    let lecturer = Lecturer::new(&[("ada", NOT_MOVED_BACK), ("bob", RIGHT)]);
+    assert_eq!(lecturer.says("grade @class --out @old").code, Some(0));
+    lecturer.hands_in("ada", RIGHT);
+    let said = lecturer.says("grade @class --out @new --compare @old");
+    assert_eq!(said.code, Some(1), "{said:?}");
+    let line = said.out.lines().find(|line| line.starts_with("ada ")).expect("a line");
+    assert!(
+        line.contains("6 -> 10")
+            && line.contains("wrong -> passed")
+            && line.contains("the_centre_stays 0 -> 3"),
+        "{line}"
+    );
+    assert!(!said.out.contains("bob"), "{said:?}");
+    let said = lecturer.says("grade @class --out @newer --compare @class");
+    assert!(said.code == Some(2) && said.err.contains("results.json"), "{said:?}");
+}
+
+#[test]
+fn what_cannot_be_graded_is_said() {
+    let lecturer = Lecturer::new(&[("ada", RIGHT)]);
+    for (line, words) in [
+        ("grade @nowhere --out @report", "cannot read"),
+        ("grade @class/ada --out @report", "no submission"),
+        ("grade @class --out @class/report", "among the submissions"),
+        ("grade @class --out @report --partition 3/2", "a share is K/N"),
+        ("grade @class --out @report --seed soon", "the word fresh"),
+        ("merge @class --out @report", "results.json"),
+    ] {
+        let said = lecturer.says(line);
+        assert_eq!(said.code, Some(2), "{line}: {said:?}");
+        assert!(said.err.contains(words), "{line}: {said:?}");
+    }
+    assert!(!lecturer.path("class/report").exists());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_an_error_and_not_half_a_table() {
+    let lecturer = Lecturer::new(&[("ada", RIGHT)]);
+    // A limit on the size of files stands for a disk that is full after so many bytes; rustc has a limit of its own.
+    let line = format!(
+        "ulimit -f 4; exec {LAB} grade {}/class --out {}/report",
+        lecturer.path("").display(),
+        lecturer.path("").display()
+    );
+    lecturer.says("grade @class --out @warm");
+    let said = Said::of(Command::new("bash").args(["-c", &line]).current_dir(root()).stdin(Stdio::null()));
+    assert_eq!(said.code, Some(2), "{said:?}");
+    assert!(said.err.contains("cannot write"), "{said:?}");
+    assert!(!lecturer.path("report/results.json").exists());
+    for name in files(&lecturer.path("report")).keys() {
+        assert!(!name.ends_with(".tmp"), "{name} is left behind");
+    }
+}
