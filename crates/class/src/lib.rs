@@ -3,12 +3,14 @@
 //! - [`intake`]: who handed in what.
 //! - [`Grading`]: has each judged, keeps what was judged, goes on where a run was ended.
 //! - [`merge()`]: puts together what several machines judged; [`changes()`]: compares with an older report.
+//! - [`handout`]: what students are given, without solutions.
 //! - [`results`]: what is known of a class once it has been graded; every report is made from it.
 
 #![forbid(unsafe_code)]
 
 mod changes;
 mod grading;
+pub mod handout;
 pub mod intake;
 mod kept;
 mod merge;

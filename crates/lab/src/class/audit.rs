@@ -28,8 +28,9 @@ pub(crate) fn run(asked: &AuditArgs) -> Result<Outcome, Failure> {
         let number = done.fetch_add(1, Ordering::Relaxed) + 1;
         tell(&format!("{number} of {}  {}", exercises.len(), audited.name));
     };
-    let report = audit(&exercises, &judge, asked.seeds, &progress)
-        .map_err(|e| Failure::new(e.to_string(), "see that there is room on the disk, and that `cargo lab check` works"))?;
+    let report = audit(&exercises, &judge, asked.seeds, &progress).map_err(|e| {
+        Failure::new(e.to_string(), "see that there is room on the disk, and that `cargo lab check` works")
+    })?;
     let said = if asked.json { format!("{:#}", report.json()) } else { report.table() };
     say(said.trim_end())?;
     Ok(if report.met() { Outcome::Done } else { Outcome::Unexpected })
