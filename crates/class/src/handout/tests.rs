@@ -108,7 +108,7 @@ fn no_line_of_a_solution_and_no_misconception_is_given_away() {
                 assert!(!names(text, name), "{path} names the misconception {name} of {}", exercise.name);
             }
         }
-        let told = exercise.misconceptions.iter().flat_map(|it| [it.looks_like, it.help]);
+        let told = exercise.misconceptions.iter().map(|misconception| misconception.help);
         for sentence in told.chain(exercise.laws.iter().map(course::Law::help)).chain([exercise.explanation])
         {
             assert!(
