@@ -168,7 +168,7 @@ fn tried(exercise: &Exercise, judge: &Judge, mutants: &[Mutant]) -> Result<Vec<T
     all.map_err(|it| fault(it.to_string()))
 }
 
-fn ask(exercise: &Exercise, crowd: &Crowd, at: usize) -> Result<Tried, Fault> {
+fn ask(exercise: &Exercise, crowd: &Crowd<'_>, at: usize) -> Result<Tried, Fault> {
     for seed in 1..=SEEDS_OF_MUTANTS {
         let Some(mut answerer) = crowd.answerer(at) else { return Ok(None) };
         let examination = examine(exercise, seed, &mut answerer)?;

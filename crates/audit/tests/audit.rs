@@ -19,6 +19,7 @@ fn audited(exercise: &Exercise) -> Report {
         limits: Limits::default(),
         scratch: folder.path().join("scratch"),
         memory: None,
+        sandbox: None,
     };
     audit(&[exercise], &judge, SEEDS, &|_| ()).expect("a report")
 }

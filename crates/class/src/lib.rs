@@ -5,10 +5,15 @@
 //! - [`merge()`]: puts together what several machines judged; [`changes()`]: compares with an older report.
 //! - [`handout`]: what students are given, without solutions.
 //! - [`results`]: what is known of a class once it has been graded; every report is made from it.
+//! - [`report`]: pages for the lecturer and for each student, and a table of points.
+//! - [`format`]: one student's results as a learning platform reads them.
+//! - [`export`]: a folder with an autograder that is ready for a platform.
 
 #![forbid(unsafe_code)]
 
 mod changes;
+pub mod export;
+pub mod format;
 mod grading;
 pub mod handout;
 pub mod intake;
@@ -16,6 +21,7 @@ mod kept;
 mod merge;
 mod outline;
 mod partition;
+pub mod report;
 mod report_folder;
 pub mod results;
 mod sum;

@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::format::Format;
 use crate::merge::RESULTS;
+use crate::report::{class_page, feedback_markdown, feedback_page, grades_csv};
 use crate::results::{Results, Seeds};
 
 /// The file that says with which seed a run was begun, so that it can be gone on with.
@@ -10,10 +12,33 @@ pub const RUN: &str = "run.json";
 
 /// Every file of a report but what is kept of each submission, in the order in which they are to be written: the results last, so that whoever
 /// finds them finds all.
-pub fn files(results: &Results) -> impl Iterator<Item = (PathBuf, Vec<u8>)> {
-    let last = [(PathBuf::from(RESULTS), results_json(results))];
-    last.into_iter()
+pub fn files<'a>(
+    results: &'a Results,
+    formats: &'a [Format],
+) -> impl Iterator<Item = (PathBuf, Vec<u8>)> + 'a {
+    let each = results.submissions.iter().flat_map(move |submission| {
+        let id = &submission.id;
+        let course = &results.course;
+        let feedback = [
+            (PathBuf::from(format!("feedback/{id}.html")), feedback_page(course, submission)),
+            (PathBuf::from(format!("feedback/{id}.md")), feedback_markdown(course, submission)),
+        ];
+        let platforms = formats.iter().map(move |format| {
+            let path = PathBuf::from(format!("{}/{id}.{}", format.name(), format.extension()));
+            (path, format.of(course, submission))
+        });
+        feedback.into_iter().chain(platforms).map(|(path, text)| (path, text.into_bytes()))
+    });
+    // Made only when it is their turn: a page of a large class is large.
+    let class: [(&str, Make); 3] = [
+        ("class.html", |results| class_page(results).into_bytes()),
+        ("grades.csv", |results| grades_csv(results).into_bytes()),
+        (RESULTS, results_json),
+    ];
+    each.chain(class.into_iter().map(move |(name, make)| (PathBuf::from(name), make(results))))
 }
+
+type Make = fn(&Results) -> Vec<u8>;
 
 /// `results.json`: all but pictures.
 fn results_json(results: &Results) -> Vec<u8> {

@@ -16,6 +16,7 @@ fn verdicts(criterion: &mut Criterion) {
         limits: Limits::default(),
         scratch: folder.path().join("scratch"),
         memory: None,
+        sandbox: None,
     };
     for name in ["rotate_about_point", "zbuffer", "light_all", "ray_color_recursive"] {
         let exercise = course::find(name).expect("the exercise");

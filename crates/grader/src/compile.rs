@@ -1,14 +1,15 @@
 //! How does a student's file become a worker? By rustc alone, around a main file of a few lines.
 
-use std::ffi::OsStr;
+use std::ffi::OsString;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
 
 use course::Exercise;
+use sandbox::Launcher;
 
 use crate::kit::Kit;
+use crate::rustc::{self, End, Said};
 
 /// What rustc is asked for.
 #[derive(Clone, Debug)]
@@ -39,14 +40,23 @@ pub(crate) enum NotCompiled {
     Failed(io::Error),
 }
 
+/// The name of the main file.
+const MAIN: &str = "main.rs";
+
 impl Compiler {
-    /// Compiles students' files into one worker in `folder`; its functions are those of the parts, in their order.
-    pub(crate) fn worker(&self, parts: &[Part<'_>], folder: &Path) -> Result<PathBuf, NotCompiled> {
-        let main = folder.join("main.rs");
+    /// Compiles students' files into one worker in `folder`; its functions are those of the parts, in their order. Rustc is confined if
+    /// there is a launcher.
+    pub(crate) fn worker(
+        &self,
+        parts: &[Part<'_>],
+        folder: &Path,
+        launcher: Option<&Launcher>,
+    ) -> Result<PathBuf, NotCompiled> {
+        let folder = std::path::absolute(folder).map_err(NotCompiled::Failed)?;
         let worker = folder.join(format!("worker{}", std::env::consts::EXE_SUFFIX));
-        fs::write(&main, main_file(parts)).map_err(NotCompiled::Failed)?;
-        let output = Command::new(&self.kit.rustc)
-            .current_dir(&self.root)
+        lay_out(parts, &folder).map_err(NotCompiled::Failed)?;
+        let mut command = rustc::command(&self.kit, &folder, parts.len(), launcher);
+        command
             .args(["--edition", "2024", "--crate-name", "worker_of_a_student", "--crate-type", "bin"])
             // Debug assertions catch the overflow of an index; optimization would cost more than it gives.
             .args([
@@ -62,50 +72,85 @@ impl Compiler {
             // One piece: there is little to share among threads, and less to link.
             .args(["-C", "codegen-units=1"])
             .args(["-F", "unsafe_code", "-A", "warnings"])
-            .args(["--color", if self.colour { "always" } else { "never" }])
-            .arg(remapped(&self.root))
+            // A text in a file may look like a message of the compiler; in this form it cannot.
+            .args(["--error-format", "json"])
+            .args(if self.colour { &["--json", "diagnostic-rendered-ansi"][..] } else { &[] })
+            .args(self.remapped(parts, &folder))
             .args(self.kit.arguments())
             .arg("-o")
             .arg(&worker)
-            .arg(&main)
-            .stdin(Stdio::null())
-            .output()
-            .map_err(NotCompiled::Failed)?;
-        if output.status.success() {
-            return Ok(worker);
+            .arg(folder.join(MAIN));
+        match rustc::run(command, parts.len()).map_err(NotCompiled::Failed)? {
+            End::Made => Ok(worker),
+            End::Refused(said) => Err(refused(said, parts)),
+            End::TooLong(time) => Err(stopped(&format!("after {} s of computing", time.as_secs()))),
+            End::TooMuch => Err(stopped("when it asked for more memory than any exercise needs")),
+            End::Broken => {
+                Err(stopped("by the system: something in the file is too deep or too large for it"))
+            }
         }
-        let message = String::from_utf8_lossy(&output.stderr).into_owned();
-        if message.contains("E0514") || message.contains("E0460") {
-            return Err(NotCompiled::OldKit);
-        }
-        let at_our_side = message.contains("main.rs");
-        let note = parts.first().filter(|_| at_our_side).map(|Part { exercise, .. }| {
-            format!(
-                "The exercise asks for `pub fn {}{}`: name, parameters and result must be these.",
-                exercise.name,
-                exercise.signature.text.replace(", )", ")")
-            )
-        });
-        Err(NotCompiled::Refused { message, note })
+    }
+
+    /// How files are called in messages and panics: as the student knows them, from the project's folder on.
+    fn remapped(&self, parts: &[Part<'_>], folder: &Path) -> Vec<OsString> {
+        // What comes later counts more.
+        let mut arguments = vec![remap(folder, Path::new(""))];
+        arguments.extend(parts.iter().enumerate().map(|(at, part)| {
+            let known = part.file.strip_prefix(&self.root).unwrap_or(part.file);
+            let own = PathBuf::from(part.exercise.path());
+            // The last `=` of the argument separates the two.
+            let known = if known.as_os_str().as_encoded_bytes().contains(&b'=') { &own } else { known };
+            remap(&folder.join(copy(at)), known)
+        }));
+        arguments
     }
 }
 
-/// File names in messages and panics start at the project's folder.
-fn remapped(root: &Path) -> std::ffi::OsString {
-    let mut argument = std::ffi::OsString::from("--remap-path-prefix=");
-    argument.push(root);
-    argument.push(OsStr::new(std::path::MAIN_SEPARATOR_STR));
+fn remap(from: &Path, to: &Path) -> OsString {
+    let mut argument = OsString::from("--remap-path-prefix=");
+    argument.push(from);
     argument.push("=");
+    argument.push(to);
     argument
+}
+
+/// Copies the files into the folder, and writes the main file: rustc needs nothing else.
+fn lay_out(parts: &[Part<'_>], folder: &Path) -> io::Result<()> {
+    for (at, part) in parts.iter().enumerate() {
+        fs::write(folder.join(copy(at)), fs::read(part.file)?)?;
+    }
+    fs::write(folder.join(MAIN), main_file(parts))
+}
+
+/// The name of a student's file in the folder.
+fn copy(at: usize) -> String {
+    format!("student_{at}.rs")
+}
+
+fn refused(said: Said, parts: &[Part<'_>]) -> NotCompiled {
+    if said.codes.iter().any(|code| code == "E0514" || code == "E0460") {
+        return NotCompiled::OldKit;
+    }
+    let at_our_side = said.files.iter().any(|file| file == MAIN);
+    let note = parts.first().filter(|_| at_our_side).map(|Part { exercise, .. }| {
+        format!(
+            "The exercise asks for `pub fn {}{}`: name, parameters and result must be these.",
+            exercise.name,
+            exercise.signature.text.replace(", )", ")")
+        )
+    });
+    NotCompiled::Refused { message: said.text, note }
+}
+
+fn stopped(how: &str) -> NotCompiled {
+    let message = format!("The compiler was stopped {how}.\n");
+    let note = "Is there a constant, a macro or a type that grows without end?".to_owned();
+    NotCompiled::Refused { message, note: Some(note) }
 }
 
 /// The main file: each student's file is a module of it.
 fn main_file(parts: &[Part<'_>]) -> String {
-    let modules: String = parts
-        .iter()
-        .enumerate()
-        .map(|(at, Part { file, .. })| format!("#[path = {file:?}]\nmod student_{at};\n"))
-        .collect();
+    let modules: String = (0..parts.len()).map(|at| format!("mod student_{at};\n")).collect();
     let functions: String = parts
         .iter()
         .enumerate()

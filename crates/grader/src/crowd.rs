@@ -7,14 +7,15 @@ use course::{Answerer, Exercise};
 use crate::compile::Part;
 use crate::judge::{Judge, Worker};
 use crate::judgement::Outcome;
-use crate::process::{Limits, Process};
+use crate::process::Process;
 
 /// Files compiled into one worker, but for those that do not compile.
-pub struct Crowd {
+pub struct Crowd<'a> {
+    judge: &'a Judge,
+    exercise: &'a Exercise,
     worker: Option<Worker>,
     /// The place of each file's function in the worker.
     places: Vec<Option<u32>>,
-    limits: Limits,
 }
 
 impl Judge {
@@ -23,7 +24,7 @@ impl Judge {
     ///
     /// # Errors
     /// An [`Outcome`] that is no file's doing: no compiler, no room, or a refusal that names none of the files.
-    pub fn crowd(&self, exercise: &Exercise, files: &[&Path]) -> Result<Crowd, Outcome> {
+    pub fn crowd<'a>(&'a self, exercise: &'a Exercise, files: &[&Path]) -> Result<Crowd<'a>, Outcome> {
         let mut left: Vec<usize> = (0..files.len()).collect();
         while !left.is_empty() {
             let parts: Vec<Part<'_>> = left.iter().map(|at| Part { exercise, file: files[*at] }).collect();
@@ -31,7 +32,7 @@ impl Judge {
                 Ok(worker) => {
                     let place = |at| left.iter().position(|it| *it == at).map(|place| place as u32);
                     let places = (0..files.len()).map(place).collect();
-                    return Ok(Crowd { worker: Some(worker), places, limits: self.limits });
+                    return Ok(Crowd { judge: self, exercise, worker: Some(worker), places });
                 }
                 Err(Outcome::DoesNotCompile { message, note }) => {
                     let before = left.len();
@@ -43,16 +44,17 @@ impl Judge {
                 Err(other) => return Err(other),
             }
         }
-        Ok(Crowd { worker: None, places: vec![None; files.len()], limits: self.limits })
+        Ok(Crowd { judge: self, exercise, worker: None, places: vec![None; files.len()] })
     }
 }
 
-impl Crowd {
+impl Crowd<'_> {
     /// One who answers for a file's function, in a process of its own; `None` if the file does not compile.
-    pub fn answerer(&self, file: usize) -> Option<impl Answerer> {
+    pub fn answerer(&self, file: usize) -> Option<impl Answerer + use<>> {
         let worker = self.worker.as_ref()?;
         let place = (*self.places.get(file)?)?;
-        Some(Process::new(worker.program.clone(), place, self.limits))
+        let launcher = self.judge.sandbox.as_ref();
+        Some(Process::new(&worker.program, place, self.exercise, self.judge.limits, launcher))
     }
 }
 

@@ -8,6 +8,7 @@ use course::diagnosis::diagnose;
 use course::trial::{Examination, examine};
 use course::{Exercise, Fault, Loss, Picture, Reply};
 use rayon::prelude::*;
+use sandbox::Launcher;
 
 use crate::compile::{Compiler, NotCompiled, Part};
 use crate::doubt;
@@ -30,6 +31,8 @@ pub struct Judge {
     pub scratch: PathBuf,
     /// Where the kit is remembered, and how it is built again after an update of Rust; `None` if it is not.
     pub memory: Option<(PathBuf, Build)>,
+    /// Confines rustc and workers; `None` for one's own files.
+    pub sandbox: Option<Launcher>,
 }
 
 impl Judge {
@@ -44,6 +47,20 @@ impl Judge {
             Ok(worker) => self.examine(exercise, &worker, 0, seed),
             Err(outcome) => Judgement { outcome, ..blank },
         }
+    }
+
+    /// Compiles a worker without any student's file and starts it: what is wrong then is wrong for everybody, and no student's doing.
+    ///
+    /// # Errors
+    /// What is wrong.
+    pub fn rehearse(&self) -> Result<(), String> {
+        let exercise = course::all().first().ok_or("there is no exercise")?;
+        let worker = self.worker(&[]).map_err(|outcome| match outcome {
+            Outcome::DoesNotCompile { message, .. } => message,
+            outcome => outcome.sentence().unwrap_or_default(),
+        })?;
+        let launcher = self.sandbox.as_ref();
+        Process::new(&worker.program, 0, exercise, self.limits, launcher).rehearse().map_err(|fault| fault.0)
     }
 
     /// Judges many files, on all processors. They are compiled together, which takes little longer than one. If that fails, those that rustc names
@@ -102,13 +119,15 @@ impl Judge {
             }
             NotCompiled::Failed(e) => Outcome::GraderError(format!("rustc: {e}")),
         };
-        match (self.compiler.worker(parts, folder), &self.memory) {
+        match (self.compiler.worker(parts, folder, self.sandbox.as_ref()), &self.memory) {
             (Ok(program), _) => Ok(program),
             (Err(NotCompiled::OldKit), Some((memory, build))) => {
                 Kit::forget(memory);
                 let kit = Kit::remembered(&self.compiler.root, *build, memory)
                     .map_err(|e| Outcome::GraderError(e.to_string()))?;
-                Compiler { kit, ..self.compiler.clone() }.worker(parts, folder).map_err(refused)
+                Compiler { kit, ..self.compiler.clone() }
+                    .worker(parts, folder, self.sandbox.as_ref())
+                    .map_err(refused)
             }
             (Err(error), _) => Err(refused(error)),
         }
@@ -117,10 +136,15 @@ impl Judge {
     /// Asks one function of a worker.
     fn examine(&self, exercise: &Exercise, worker: &Worker, function: u32, seed: u64) -> Judgement {
         let blank = Judgement::blank(exercise, Token::new(exercise, seed));
-        let process = || Process::new(worker.program.clone(), function, self.limits);
+        let launcher = self.sandbox.as_ref();
+        let process = || Process::new(&worker.program, function, exercise, self.limits, launcher);
         let mut asked = process();
         let examination = examine(exercise, seed, &mut asked);
-        let printed = asked.finish();
+        let (printed, surplus) = asked.finish();
+        if surplus {
+            let outcome = Outcome::Crashed("it sent more answers than it was asked for".to_owned());
+            return Judgement { outcome, forfeit: Some(Forfeit::Ended), printed, ..blank };
+        }
         let weighed = examination
             .and_then(|examination| weigh(exercise, examination, process, blank.clone()))
             .unwrap_or_else(|fault| Judgement { outcome: Outcome::GraderError(fault.to_string()), ..blank });

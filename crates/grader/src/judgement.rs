@@ -6,7 +6,7 @@ use serde_json::{Value as Json, json};
 use worker::wire::Panic;
 
 use crate::doubt::Twice;
-use crate::process::{Output, Printed};
+use crate::printed::{Output, Printed};
 use crate::token::Token;
 
 /// The judgement of one file.

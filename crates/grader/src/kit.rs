@@ -19,6 +19,12 @@ pub struct Kit {
     vocabulary: PathBuf,
     /// `libglam-….rlib`.
     glam: PathBuf,
+    /// Where the compiler's own files are.
+    pub(crate) sysroot: PathBuf,
+    /// The folder in which the libraries find those that they need.
+    pub(crate) dependencies: Option<PathBuf>,
+    /// Every file of a library that rustc may need. Not those of this workspace that hold solutions.
+    pub(crate) files: Vec<PathBuf>,
 }
 
 /// What cargo is asked to build.
@@ -79,9 +85,14 @@ impl Kit {
             .filter_map(|line| serde_json::from_str(line).ok())
             .collect();
         let library = |name| library(&messages, name).ok_or(KitError::Missing(name));
+        let (rustc, sysroot) = rustc(root);
+        let worker = library("worker")?;
         Ok(Self {
-            rustc: rustc(root),
-            worker: library("worker")?,
+            rustc,
+            sysroot,
+            dependencies: worker.parent().map(deps_beside),
+            files: files(&messages),
+            worker,
             vocabulary: library("vocabulary")?,
             glam: library("glam")?,
         })
@@ -117,9 +128,9 @@ impl Kit {
             library.push(path);
             arguments.extend(["--extern".into(), library]);
         }
-        if let Some(folder) = self.worker.parent() {
+        if let Some(folder) = &self.dependencies {
             let mut dependencies = std::ffi::OsString::from("dependency=");
-            dependencies.push(deps_beside(folder));
+            dependencies.push(folder);
             arguments.extend(["-L".into(), dependencies]);
         }
         arguments
@@ -132,6 +143,9 @@ impl Kit {
             "worker": self.worker.to_string_lossy(),
             "vocabulary": self.vocabulary.to_string_lossy(),
             "glam": self.glam.to_string_lossy(),
+            "sysroot": self.sysroot.to_string_lossy(),
+            "dependencies": self.dependencies.as_ref().map(|folder| folder.to_string_lossy()),
+            "files": self.files.iter().map(|file| file.to_string_lossy()).collect::<Vec<_>>(),
         });
         fs::write(memory, text.to_string())
     }
@@ -143,11 +157,15 @@ fn recall(memory: &Path, program: &str) -> Option<Kit> {
         return None;
     }
     let path = |name: &str| remembered[name].as_str().map(PathBuf::from).filter(|path| path.is_file());
+    let files = remembered["files"].as_array()?.iter().map(|file| Some(PathBuf::from(file.as_str()?)));
     Some(Kit {
         rustc: path("rustc")?,
         worker: path("worker")?,
         vocabulary: path("vocabulary")?,
         glam: path("glam")?,
+        sysroot: remembered["sysroot"].as_str()?.into(),
+        dependencies: remembered["dependencies"].as_str().map(PathBuf::from),
+        files: files.collect::<Option<_>>()?,
     })
 }
 
@@ -167,15 +185,33 @@ fn library(messages: &[Json], name: &str) -> Option<PathBuf> {
     files.iter().filter_map(Json::as_str).find(|file| file.ends_with(".rlib")).map(PathBuf::from)
 }
 
-/// The compiler that cargo takes: `RUSTC` if somebody chose one; else the one in the toolchain's own folder.
-fn rustc(root: &Path) -> PathBuf {
-    if let Some(chosen) = std::env::var_os("RUSTC") {
-        return chosen.into();
-    }
-    let sysroot = Command::new("rustc").current_dir(root).args(["--print", "sysroot"]).output().ok();
+/// The files of all libraries from elsewhere, and of the two of this workspace that a student's file sees.
+fn files(messages: &[Json]) -> Vec<PathBuf> {
+    let ours = |name: &Json| name == "worker" || name == "vocabulary";
+    messages
+        .iter()
+        .filter(|message| message["reason"] == "compiler-artifact")
+        .filter(|message| {
+            let elsewhere = message["package_id"].as_str().is_some_and(|id| !id.starts_with("path+"));
+            elsewhere || ours(&message["target"]["name"])
+        })
+        .filter_map(|message| message["filenames"].as_array())
+        .flatten()
+        .filter_map(Json::as_str)
+        .map(PathBuf::from)
+        .filter(|file| file.extension().is_some_and(|kind| kind == "rlib" || kind == "rmeta" || kind == "so"))
+        .collect()
+}
+
+/// The compiler that cargo takes, and its folder: `RUSTC` if somebody chose one; else the one in the toolchain's own folder.
+fn rustc(root: &Path) -> (PathBuf, PathBuf) {
+    let chosen = std::env::var_os("RUSTC").map(PathBuf::from);
+    let asked = chosen.clone().unwrap_or_else(|| "rustc".into());
+    let sysroot = Command::new(&asked).current_dir(root).args(["--print", "sysroot"]).output().ok();
     let sysroot = sysroot.and_then(|output| String::from_utf8(output.stdout).ok()).unwrap_or_default();
-    let found = Path::new(sysroot.trim()).join("bin").join(format!("rustc{}", std::env::consts::EXE_SUFFIX));
-    if found.is_file() { found } else { "rustc".into() }
+    let sysroot = PathBuf::from(sysroot.trim());
+    let found = sysroot.join("bin").join(format!("rustc{}", std::env::consts::EXE_SUFFIX));
+    (chosen.unwrap_or(if found.is_file() { found } else { asked }), sysroot)
 }
 
 /// Where cargo puts the libraries that others need: `deps`, in which a registry's library lies itself.

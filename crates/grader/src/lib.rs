@@ -15,7 +15,10 @@ mod doubt;
 mod judge;
 mod judgement;
 mod kit;
+mod printed;
 mod process;
+mod running;
+mod rustc;
 mod token;
 
 pub use compile::Compiler;
@@ -24,7 +27,8 @@ pub use doubt::Twice;
 pub use judge::{Judge, LONGEST_FILE};
 pub use judgement::{Forfeit, Judgement, LooksLike, Outcome, Unreadable, gave};
 pub use kit::{Build, Kit, KitError};
-pub use process::{Limits, Output, Printed};
+pub use printed::{Output, Printed};
+pub use process::Limits;
 pub use token::{NoToken, Token, version};
 
 #[cfg(doctest)]

@@ -6,9 +6,13 @@ use bench::{Bench, in_function};
 use course::trial::Outcome as LawOutcome;
 use grader::{Forfeit, Outcome, Unreadable};
 
-/// Judges a body of `rotate_about_point` and gives the outcome.
+/// Judges a body of `rotate_about_point` and gives the outcome: the same one confined and not.
 fn of_body(body: &str) -> Outcome {
-    Bench::new().judge(&in_function(body)).outcome
+    let outcome = Bench::new().judge(&in_function(body)).outcome;
+    if let Some(bench) = Bench::confined() {
+        assert_eq!(bench.judge(&in_function(body)).outcome, outcome, "confined, and not: {body}");
+    }
+    outcome
 }
 
 #[test]

@@ -33,6 +33,10 @@ use cli::{Cli, Command, Outcome};
 use failure::Failure;
 
 fn main() -> ExitCode {
+    // Before anything else: this process may have been started to become another, confined.
+    if let Some(code) = sandbox::launched() {
+        return code;
+    }
     let cli = Cli::parse();
     match signals::watch().and_then(|()| run(&cli)) {
         Ok(Outcome::Done) => ExitCode::SUCCESS,

@@ -3,6 +3,7 @@
 use std::io::{BufReader, ErrorKind, Write};
 use std::panic::{self, AssertUnwindSafe};
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread::{self, ThreadId};
 
@@ -13,23 +14,40 @@ use crate::wire::{self, Answer, Panic, Question, Ready};
 /// The first panic since the call began.
 static PANIC: Mutex<Option<(Panic, ThreadId)>> = Mutex::new(None);
 
+/// Whether this process serves: it does once. A student's function that serves too would answer for the others.
+static SERVES: AtomicBool = AtomicBool::new(false);
+
+/// The stack of a student's function, in bytes: as long as that of a main function.
+const STACK: usize = 8 << 20;
+
 /// A worker's main function: answers questions about `functions` until nobody asks any more.
 ///
 /// Its first command-line argument is the channel's address, its second the memory it may take, in bytes (0: no limit here).
 /// Each answer is sent before the next call begins, so that whoever asked knows on which question a call did not return.
+/// It does so in a thread of its own. Where the main thread's stack ends, a process learns from a file, which one that is confined cannot read; and
+/// only who knows the end can say that a function has filled its stack.
 pub fn serve(functions: &[Function]) -> ExitCode {
-    match answer_all(functions) {
+    if SERVES.swap(true, Ordering::Relaxed) {
+        return failed("it serves already");
+    }
+    let served = thread::scope(|scope| {
+        let server = thread::Builder::new().stack_size(STACK).spawn_scoped(scope, || answer_all(functions));
+        server.map(|thread| thread.join().unwrap_or_else(|panic| panic::resume_unwind(panic)))
+    });
+    match served.and_then(|answered| answered) {
         Ok(()) => ExitCode::SUCCESS,
         // Whoever asked has heard enough.
         Err(error) if matches!(error.kind(), ErrorKind::BrokenPipe | ErrorKind::ConnectionReset) => {
             ExitCode::SUCCESS
         }
-        Err(error) => {
-            // Standard error belongs to the student's code; but without a channel nothing of it runs.
-            let _ = writeln!(std::io::stderr(), "worker: {error}");
-            ExitCode::from(70)
-        }
+        // Standard error belongs to the student's code; but without a channel nothing of it runs.
+        Err(error) => failed(&error.to_string()),
     }
+}
+
+fn failed(why: &str) -> ExitCode {
+    let _ = writeln!(std::io::stderr(), "worker: {why}");
+    ExitCode::from(70)
 }
 
 fn answer_all(functions: &[Function]) -> std::io::Result<()> {

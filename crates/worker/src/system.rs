@@ -74,6 +74,11 @@ mod here {
         Ok(())
     }
 
+    /// Whether this is the signal of a limit of computing time. Its number is the same on every Unix.
+    pub fn is_out_of_time(signal: i32) -> bool {
+        signal == 24
+    }
+
     /// The signal that ended a process, if one did.
     pub fn signal(status: ExitStatus) -> Option<i32> {
         status.signal()
@@ -164,10 +169,15 @@ mod here {
         Ok(())
     }
 
+    /// Such a signal is a thing of Unix.
+    pub fn is_out_of_time(_signal: i32) -> bool {
+        false
+    }
+
     /// Signals are a thing of Unix: none.
     pub fn signal(_status: ExitStatus) -> Option<i32> {
         None
     }
 }
 
-pub use here::{Channel, Offer, limit_memory, open, signal};
+pub use here::{Channel, Offer, is_out_of_time, limit_memory, open, signal};

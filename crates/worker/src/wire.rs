@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::value::Value;
 
 /// No message is longer, in bytes: whoever sends more is not answering the question.
-pub const LONGEST: usize = 8 << 20;
+pub const LONGEST: usize = 64 << 10;
 
 /// The first message of a worker: it has its limits and waits for questions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use course::Exercise;
 use grader::{Build, Compiler, Judge, Judgement, Kit, Limits};
+use sandbox::Launcher;
 
 /// The line of the submission on which the function's body begins.
 pub(crate) const FIRST_LINE: u32 = 4;
@@ -36,7 +37,37 @@ fn kit() -> Kit {
     KIT.get_or_init(|| Kit::build(&root(), Build::of("worker")).expect("the libraries are built")).clone()
 }
 
+/// Confines, if this system can; if not, says so loudly, once.
+fn launcher() -> Option<Launcher> {
+    static LAUNCHER: OnceLock<Option<Launcher>> = OnceLock::new();
+    let find = || {
+        let launcher = Launcher::at(Path::new(env!("CARGO_BIN_EXE_grader-launcher")));
+        let missing: Vec<&str> = sandbox::doctor(launcher.as_ref())
+            .iter()
+            .filter(|check| check.needed && !check.enforced())
+            .map(|check| check.name)
+            .collect();
+        if !missing.is_empty() {
+            eprintln!("SKIPPED, NOTHING IS CONFINED HERE: this system lacks {}", missing.join(", "));
+        }
+        launcher.filter(|_| missing.is_empty())
+    };
+    LAUNCHER.get_or_init(find).clone()
+}
+
 impl Bench {
+    /// One that confines; `None` where the system does not.
+    pub(crate) fn confined() -> Option<Self> {
+        let launcher = launcher()?;
+        let mut bench = Self::new();
+        bench.judge.sandbox = Some(launcher);
+        Some(bench)
+    }
+
+    pub(crate) fn judge_itself(&self) -> &Judge {
+        &self.judge
+    }
+
     pub(crate) fn new() -> Self {
         let folder = tempfile::tempdir().expect("a folder");
         let judge = Judge {
@@ -44,6 +75,7 @@ impl Bench {
             limits: Limits::default(),
             scratch: folder.path().join("scratch"),
             memory: None,
+            sandbox: None,
         };
         Self { folder, judge }
     }

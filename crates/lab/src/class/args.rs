@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
 use class::Partition;
+use class::format::Format;
 
 const GRADE_EXAMPLES: &str = "\
 Examples:
@@ -30,6 +31,11 @@ Examples:
 
 Exit code: 0 all targets are met, 1 an exercise falls short, 2 error.";
 
+const DOCTOR_HELP: &str = "\
+Each line is tried: a program is confined like a student's, and does what it should not be able to do. Takes a second or two.
+
+Exit code: 0 all that grading needs is enforced, 1 something is missing, 2 error.";
+
 /// The commands for lecturers.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
@@ -41,6 +47,11 @@ pub(crate) enum Command {
     /// Audit the exercises' laws: right programs must be accepted, wrong ones rejected
     #[command(after_help = AUDIT_EXAMPLES)]
     Audit(AuditArgs),
+    /// Write an autograder for a course platform
+    Export(ExportArgs),
+    /// Say what this system can keep from students' code
+    #[command(after_help = DOCTOR_HELP)]
+    Doctor(DoctorArgs),
 }
 
 /// `cargo lab grade`.
@@ -78,6 +89,11 @@ pub(crate) struct GradeArgs {
     #[arg(long, value_name = "OLD_REPORT")]
     pub(crate) compare: Option<PathBuf>,
 
+    /// A file for each student in what a platform reads, too: gradescope, codegrade-v1, codegrade-v2, junit, exercism,
+    /// github-classroom, prairielearn; several with commas
+    #[arg(long, value_name = "FORMAT", value_delimiter = ',')]
+    pub(crate) format: Vec<Format>,
+
     /// So many submissions at a time [default: the number of processors]
     #[arg(long, value_name = "N")]
     pub(crate) jobs: Option<usize>,
@@ -101,6 +117,46 @@ pub(crate) struct MergeArgs {
     /// Where the report goes: a new or empty folder
     #[arg(long, value_name = "REPORT")]
     pub(crate) out: PathBuf,
+
+    /// A file for each student in what a platform reads, too: gradescope, codegrade-v1, codegrade-v2, junit, exercism,
+    /// github-classroom, prairielearn; several with commas
+    #[arg(long, value_name = "FORMAT", value_delimiter = ',')]
+    pub(crate) format: Vec<Format>,
+}
+
+/// `cargo lab export`.
+#[derive(Args, Debug)]
+pub(crate) struct ExportArgs {
+    /// Which platform
+    #[arg(value_name = "PLATFORM")]
+    pub(crate) platform: Platform,
+
+    /// Where the autograder goes: a new or empty folder
+    #[arg(value_name = "DIR")]
+    pub(crate) folder: PathBuf,
+
+    /// Let students' code run without the sandbox there, for a container that does not have what it is made of
+    #[arg(long)]
+    pub(crate) unsafe_no_sandbox: bool,
+}
+
+/// `cargo lab doctor`.
+#[derive(Args, Debug)]
+pub(crate) struct DoctorArgs {
+    /// Print JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// A platform that runs autograders.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Platform {
+    /// A zip to upload
+    Gradescope,
+    /// A workflow for the students' repository
+    GithubClassroom,
+    /// Scripts for AutoTest V1 and V2
+    Codegrade,
 }
 
 /// `cargo lab audit`.

@@ -8,8 +8,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use class::intake::{Class, ClassError};
 use class::results::{Outcome as Word, Results, Seeds, Submission};
 use class::{GradeError, Grading, RUN, changes, read, read_run, run_json};
+use grader::Judge;
+
+use sandbox::Launcher;
 
 use super::args::{GradeArgs, Seed, Which};
+use super::doctor::launcher;
 use super::report::{self, write};
 use crate::cli::Outcome;
 use crate::failure::{Failure, reason};
@@ -26,6 +30,7 @@ pub(crate) fn run(asked: &GradeArgs) -> Result<Outcome, Failure> {
     for remark in &class.remarks {
         warn(remark);
     }
+    let launcher = launcher(asked.unsafe_no_sandbox)?;
     let old = asked.compare.as_deref().map(read).transpose().map_err(|e| not_a_report(&e))?;
     not_among_submissions(asked)?;
     report::prepare(&asked.out, asked.resume)?;
@@ -33,8 +38,11 @@ pub(crate) fn run(asked: &GradeArgs) -> Result<Outcome, Failure> {
     let run = asked.out.join(RUN);
     write(&run, &run_json(&seeds)).map_err(|e| report::unwritten(&run, &e))?;
     let scratch = Scratch::beside(&bench.scratch, &asked.out)?;
-    let results = threads(asked.jobs)?.install(|| graded(asked, &bench, &class, seeds, &scratch.0))?;
-    report::write_all(&asked.out, &results)?;
+    let results = threads(asked.jobs)?.install(|| {
+        let judge = judge(&bench, &scratch.0, launcher)?;
+        graded(asked, &judge, &class, seeds)
+    })?;
+    report::write_all(&asked.out, &results, &asked.format)?;
     said(asked, &results)?;
     let changed = old.map(|old| changes(&old, &results));
     if let Some(changes) = &changed {
@@ -100,24 +108,27 @@ fn threads(jobs: Option<usize>) -> Result<rayon::ThreadPool, Failure> {
         .map_err(|e| Failure::new(format!("cannot start threads: {e}"), "ask for fewer with --jobs"))
 }
 
-fn graded(
-    asked: &GradeArgs,
-    bench: &Workbench,
-    class: &Class,
-    seeds: Seeds,
-    scratch: &Path,
-) -> Result<Results, Failure> {
+/// One who judges; that nobody can be judged here is known before the first submission is.
+fn judge(bench: &Workbench, scratch: &Path, launcher: Option<Launcher>) -> Result<Judge, Failure> {
     let mut judge = bench.judge(None)?;
     judge.scratch = scratch.to_owned();
     judge.compiler.colour = false;
+    judge.sandbox = launcher;
+    judge.rehearse().map_err(|what| {
+        Failure::new(format!("nobody's code can be judged here: {what}"), "see what `cargo lab doctor` says")
+    })?;
+    Ok(judge)
+}
+
+fn graded(asked: &GradeArgs, judge: &Judge, class: &Class, seeds: Seeds) -> Result<Results, Failure> {
     let done = AtomicUsize::new(0);
     let grading = Grading {
-        judge: &judge,
+        judge,
         seeds,
         partition: asked.partition,
         report: &asked.out,
         resume: asked.resume,
-        sandboxed: false,
+        sandboxed: judge.sandbox.is_some(),
         write: &write,
         done: &|submission, known| {
             let number = done.fetch_add(1, Ordering::Relaxed) + 1;

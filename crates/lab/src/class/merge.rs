@@ -35,7 +35,7 @@ pub(crate) fn run(asked: &MergeArgs) -> Result<Outcome, Failure> {
             write(&target, &bytes).map_err(|e| report::unwritten(&target, &e))?;
         }
     }
-    report::write_all(&asked.out, &results)?;
+    report::write_all(&asked.out, &results, &asked.format)?;
     say(&format!("{} submissions of {} parts", results.submissions.len(), asked.parts.len()))?;
     say(&format!("{}", asked.out.join("class.html").display()))?;
     Ok(Outcome::Done)

@@ -4,6 +4,8 @@
 
 mod args;
 mod audit;
+mod doctor;
+mod export;
 mod grade;
 mod merge;
 mod report;
@@ -22,5 +24,7 @@ pub(crate) fn run(command: &Command) -> Result<Outcome, Failure> {
         Command::Grade(asked) => grade::run(asked),
         Command::Merge(asked) => merge::run(asked),
         Command::Audit(asked) => audit::run(asked),
+        Command::Export(asked) => export::run(asked),
+        Command::Doctor(asked) => doctor::run(asked),
     }
 }

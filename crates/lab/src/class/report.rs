@@ -5,6 +5,7 @@ use std::io;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
+use class::format::Format;
 use class::results::Results;
 
 use crate::failure::Failure;
@@ -42,8 +43,8 @@ pub(super) fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
 ///
 /// # Errors
 /// [`Failure`]: a file cannot be written.
-pub(super) fn write_all(report: &Path, results: &Results) -> Result<(), Failure> {
-    for (name, bytes) in class::files(results) {
+pub(super) fn write_all(report: &Path, results: &Results, formats: &[Format]) -> Result<(), Failure> {
+    for (name, bytes) in class::files(results, formats) {
         let path = report.join(name);
         write(&path, &bytes).map_err(|e| unwritten(&path, &e))?;
     }

@@ -104,7 +104,13 @@ impl Workbench {
         limits.time = limit.unwrap_or(limits.time);
         limits.whole = limits.whole.max(3 * limits.time);
         let compiler = Compiler { kit, root: self.root.clone(), colour: ink::on() };
-        Ok(Judge { compiler, limits, scratch: self.scratch.clone(), memory: Some((memory, build)) })
+        Ok(Judge {
+            compiler,
+            limits,
+            scratch: self.scratch.clone(),
+            memory: Some((memory, build)),
+            sandbox: None,
+        })
     }
 
     /// Judges files; of one in which nothing has been done, says so at once.

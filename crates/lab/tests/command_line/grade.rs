@@ -9,6 +9,8 @@ use serde_json::Value as Json;
 use tempfile::TempDir;
 
 use crate::desk::{LAB, Said, root};
+#[cfg(target_os = "linux")]
+use crate::made_up_class::{Points, Student, hand_in, honest, hostile};
 
 /// A class of small submissions, and a place for reports.
 struct Lecturer {
@@ -45,7 +47,7 @@ impl Lecturer {
     }
 
     fn says(&self, line: &str) -> Said {
-        Said::of(&mut self.command(line))
+        Said::from(self.command(line).output().expect("it runs"))
     }
 
     fn results(&self, report: &str) -> Json {
@@ -226,22 +228,88 @@ fn what_cannot_be_graded_is_said() {
     assert!(!lecturer.path("class/report").exists());
 }
 
+#[test]
+fn a_report_that_cannot_be_written_is_an_error_and_what_was_judged_is_kept() {
+    let lecturer = Lecturer::new(&[("ada", RIGHT)]);
+    // A folder of the file's name is in the way, as a full disk would be.
+    fs::create_dir_all(lecturer.path("report/grades.csv/in-the-way")).expect("made");
+    let said = lecturer.says("grade @class --out @report --resume");
+    assert!(
+        said.code == Some(2) && said.err.contains("cannot write") && said.err.contains("grades.csv"),
+        "{said:?}"
+    );
+    assert!(said.err.contains("--resume"), "{said:?}");
+    assert!(!lecturer.path("report/results.json").exists());
+    assert!(files(&lecturer.path("report")).keys().all(|name| !name.ends_with(".tmp")));
+
+    fs::remove_dir_all(lecturer.path("report/grades.csv")).expect("removed");
+    let said = lecturer.says("grade @class --out @report --resume");
+    assert!(said.code == Some(0) && said.err.contains(", known"), "{said:?}");
+
+    fs::create_dir_all(lecturer.path("other/judged/ada.json/in-the-way")).expect("made");
+    let said = lecturer.says("grade @class --out @other --resume");
+    assert!(
+        said.code == Some(2) && said.err.contains("ada.json") && said.err.contains("--resume"),
+        "{said:?}"
+    );
+}
+
+/// Grades a made-up class and holds every verdict against what is known.
+#[cfg(target_os = "linux")]
+fn everyone_gets_what_they_should(students: &[Student]) {
+    let lecturer = Lecturer::new(&[]);
+    hand_in(&lecturer.path("class"), students);
+    let begun = std::time::Instant::now();
+    let said = lecturer.says("grade @class --out @report --quiet");
+    println!("{} submissions in {:.1} s", students.len(), begun.elapsed().as_secs_f32());
+    assert_eq!(said.code, Some(0), "{said:?}");
+    let results = lecturer.results("report");
+    let mut mistaken = Vec::new();
+    for student in students {
+        let submission = results["submissions"]
+            .as_array()
+            .expect("a list")
+            .iter()
+            .find(|it| it["student"] == student.name);
+        let submission = submission.unwrap_or_else(|| panic!("{:?} is missing", student.name));
+        for verdict in submission["verdicts"].as_array().expect("a list") {
+            let work = student.works.iter().find(|work| verdict["exercise"] == work.exercise.name);
+            let outcomes = work.map_or(&["missing"][..], |work| work.outcomes);
+            let looks_like = work.and_then(|work| work.looks_like);
+            let points = match work.map_or(Points::None, |work| work.points) {
+                Points::All => verdict["points"] == verdict["of"],
+                Points::None => verdict["points"] == 0,
+                Points::Some => verdict["points"].as_u64() < verdict["of"].as_u64(),
+            };
+            let right = outcomes.iter().any(|outcome| verdict["outcome"] == *outcome)
+                && points
+                && looks_like.is_none_or(|name| verdict["looks_like"]["misconception"] == name);
+            if !right {
+                mistaken.push(format!("{:?} in {}: {verdict:#}", student.name, verdict["exercise"]));
+            }
+        }
+    }
+    assert!(mistaken.is_empty(), "{} verdicts:\n{}", mistaken.len(), mistaken.join("\n"));
+    for left in ["/tmp/lightlab-was-here", "/dev/shm/lightlab-was-here"] {
+        assert!(!Path::new(left).exists(), "{left}");
+    }
+}
+
 #[cfg(target_os = "linux")]
 #[test]
-fn a_full_disk_is_an_error_and_not_half_a_table() {
-    let lecturer = Lecturer::new(&[("ada", RIGHT)]);
-    // A limit on the size of files stands for a disk that is full after so many bytes; rustc has a limit of its own.
-    let line = format!(
-        "ulimit -f 4; exec {LAB} grade {}/class --out {}/report",
-        lecturer.path("").display(),
-        lecturer.path("").display()
-    );
-    lecturer.says("grade @class --out @warm");
-    let said = Said::of(Command::new("bash").args(["-c", &line]).current_dir(root()).stdin(Stdio::null()));
-    assert_eq!(said.code, Some(2), "{said:?}");
-    assert!(said.err.contains("cannot write"), "{said:?}");
-    assert!(!lecturer.path("report/results.json").exists());
-    for name in files(&lecturer.path("report")).keys() {
-        assert!(!name.ends_with(".tmp"), "{name} is left behind");
-    }
+fn in_a_small_class_everyone_gets_what_they_should_and_harms_nobody() {
+    let students: Vec<Student> =
+        hostile().into_iter().chain((0..4).map(|number| honest(number * 11))).collect();
+    everyone_gets_what_they_should(&students);
+}
+
+/// Takes minutes: `cargo test --release -p lab --test command_line two_hundred -- --ignored --nocapture`.
+#[cfg(target_os = "linux")]
+#[test]
+#[ignore = "takes minutes; the small class above is its pattern"]
+fn in_a_class_of_two_hundred_everyone_gets_what_they_should() {
+    let hostile = hostile();
+    let honest = (0..200 - hostile.len()).map(honest);
+    let students: Vec<Student> = honest.chain(hostile).collect();
+    everyone_gets_what_they_should(&students);
 }

@@ -7,6 +7,8 @@ mod flags;
 mod grade;
 mod help;
 mod interruption;
+#[cfg(target_os = "linux")]
+mod made_up_class;
 mod render;
 mod scenes;
 mod student;

@@ -1,0 +1,194 @@
+//! How is rustc run so that no file, whatever is in it, keeps it busy or makes it reach for what is not the file's business?
+
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
+use std::time::Duration;
+
+use sandbox::{Calls, Confinement, Launcher, NOT_LAUNCHED, Takings};
+use serde_json::Value as Json;
+use worker::system;
+
+use crate::kit::Kit;
+
+/// Computing time for one file, in seconds: about twenty times what any exercise takes.
+const SECONDS: u64 = 10;
+
+/// As much more for each further file that is compiled with it.
+const SECONDS_MORE: u64 = 1;
+
+/// A compiler that is not done after so many times its computing time is not computing: only then does the clock on the wall decide.
+const PATIENCE: u32 = 30;
+
+/// Address space, in bytes. All exercises together take a quarter of it; most of that is the compiler itself.
+const MEMORY: u64 = 4 << 30;
+
+/// The longest file that rustc or the linker may write, in bytes. A worker has five million.
+const FILE: u64 = 256 << 20;
+
+/// So much of what rustc says is read, in bytes.
+const HEARD: usize = 4 << 20;
+
+/// So much of it is passed on.
+const TOLD: usize = 64 << 10;
+
+/// What rustc may take of a processor for so many files.
+pub(crate) fn time(files: usize) -> Duration {
+    Duration::from_secs(SECONDS + SECONDS_MORE * files.saturating_sub(1) as u64)
+}
+
+/// How rustc ended.
+#[derive(Debug)]
+pub(crate) enum End {
+    /// It made the program.
+    Made,
+    /// It refuses the files, or broke off; what it said.
+    Refused(Said),
+    /// It took longer than this.
+    TooLong(Duration),
+    /// It wanted more memory than it may have.
+    TooMuch,
+    /// It was ended by a signal.
+    Broken,
+}
+
+/// What rustc said.
+#[derive(Debug, Default)]
+pub(crate) struct Said {
+    /// For a person, as rustc prints it.
+    pub(crate) text: String,
+    /// The codes of errors: "E0308".
+    pub(crate) codes: Vec<String>,
+    /// The files that errors point into.
+    pub(crate) files: Vec<String>,
+}
+
+/// A command for rustc: confined to `folder` if there is a launcher.
+pub(crate) fn command(kit: &Kit, folder: &Path, files: usize, launcher: Option<&Launcher>) -> Command {
+    let mut command = match launcher {
+        Some(launcher) => {
+            let mut command = launcher.command(&confinement(kit, folder, files), &kit.rustc);
+            command.env_clear().env("TMPDIR", folder);
+            // Where the linker is.
+            command.envs(std::env::var_os("PATH").map(|path| ("PATH", path)));
+            command
+        }
+        None => Command::new(&kit.rustc),
+    };
+    command.current_dir(folder);
+    command
+}
+
+/// Rustc reads the toolchain and the libraries, starts a linker, and writes where it is told to.
+fn confinement(kit: &Kit, folder: &Path, files: usize) -> Confinement {
+    let takings = Takings { memory: MEMORY, cpu: time(files), file: FILE, open: 1024, ..Takings::default() };
+    let mut executable = sandbox::programs();
+    executable.push(kit.sysroot.clone());
+    executable.push(kit.rustc.clone());
+    Confinement {
+        readable: kit.files.clone(),
+        listable: kit.dependencies.iter().cloned().collect(),
+        executable,
+        writable: vec![folder.to_owned(), PathBuf::from("/dev/null")],
+        ..Confinement::new(Calls::Building, takings)
+    }
+}
+
+/// Runs rustc to its end, or to that of its time.
+pub(crate) fn run(mut command: Command, files: usize) -> io::Result<End> {
+    let mut child = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn()?;
+    let heard = listen(&mut child);
+    let patience = time(files) * PATIENCE;
+    let words = heard.recv_timeout(patience);
+    // The linker and all else that it started ends with it.
+    let status = if words.is_ok() { sandbox::finish(&mut child)? } else { sandbox::end(&mut child)? };
+    match words {
+        Ok(words) => judged(status, &words, files),
+        Err(RecvTimeoutError::Timeout) => Ok(End::TooLong(time(files))),
+        Err(RecvTimeoutError::Disconnected) => Err(io::Error::other("what it says cannot be read")),
+    }
+}
+
+/// Reads what rustc says until the last of its processes has closed its output; keeps the beginning.
+fn listen(child: &mut Child) -> mpsc::Receiver<Vec<u8>> {
+    let (sender, receiver) = mpsc::channel();
+    if let Some(mut pipe) = child.stderr.take() {
+        thread::spawn(move || {
+            let mut words = Vec::new();
+            let _ = pipe.by_ref().take(HEARD as u64).read_to_end(&mut words);
+            // So that it need not wait for a reader.
+            let _ = io::copy(&mut pipe, &mut io::sink());
+            let _ = sender.send(words);
+        });
+    }
+    receiver
+}
+
+fn judged(status: ExitStatus, words: &[u8], files: usize) -> io::Result<End> {
+    if status.success() {
+        return Ok(End::Made);
+    }
+    let words = String::from_utf8_lossy(words);
+    if status.code() == Some(i32::from(NOT_LAUNCHED)) {
+        return Err(io::Error::other(words.trim().to_owned()));
+    }
+    // What the compiler itself says when it gets no memory; it comes from no message about a file, which would be JSON.
+    let own = || words.lines().filter(|line| !line.starts_with('{'));
+    if own().any(|line| MEMORY_WORDS.iter().any(|words| line.contains(words))) {
+        return Ok(End::TooMuch);
+    }
+    Ok(match system::signal(status) {
+        Some(signal) if system::is_out_of_time(signal) => End::TooLong(time(files)),
+        Some(_) => End::Broken,
+        None if said(&words).text.starts_with(NO_LINKER) => return Err(io::Error::other(said(&words).text)),
+        None => End::Refused(said(&words)),
+    })
+}
+
+/// How rustc says that there is no linker, which is nothing that a file could do.
+const NO_LINKER: &str = "error: could not exec the linker";
+
+const MEMORY_WORDS: [&str; 4] =
+    ["memory allocation of", "out of memory", "Cannot allocate memory", "bad_alloc"];
+
+/// Puts rustc's messages together.
+fn said(words: &str) -> Said {
+    let mut said = Said::default();
+    for message in words.lines().filter_map(|line| serde_json::from_str::<Json>(line).ok()) {
+        said.codes.extend(message["code"]["code"].as_str().map(str::to_owned));
+        let spans = message["spans"].as_array().into_iter().flatten();
+        said.files.extend(spans.filter_map(|span| Some(written_in(span)["file_name"].as_str()?.to_owned())));
+        tell(&mut said.text, message["rendered"].as_str().unwrap_or_default());
+    }
+    if said.text.is_empty() {
+        // It did not come to read a file.
+        tell(&mut said.text, words);
+    }
+    said
+}
+
+/// Where somebody wrote what an error points to: outside all macros.
+fn written_in(mut span: &Json) -> &Json {
+    while span["expansion"].is_object() {
+        span = &span["expansion"]["span"];
+    }
+    span
+}
+
+/// Adds a message, as far as there is room; once there is none, says so and adds nothing more.
+fn tell(text: &mut String, message: &str) {
+    if text.ends_with(MORE) {
+        return;
+    }
+    let room = TOLD.saturating_sub(text.len()).min(message.len());
+    let end = (0..=room).rev().find(|end| message.is_char_boundary(*end)).unwrap_or_default();
+    text.push_str(&message[..end]);
+    if end < message.len() {
+        text.push_str(MORE);
+    }
+}
+
+/// Stands at the end of messages that are too long.
+const MORE: &str = "\n…\nThe compiler says more; this is the beginning.\n";
