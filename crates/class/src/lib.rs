@@ -3,6 +3,7 @@
 //! - [`intake`]: who handed in what.
 //! - [`Grading`]: has each judged, keeps what was judged, goes on where a run was ended.
 //! - [`merge()`]: puts together what several machines judged; [`changes()`]: compares with an older report.
+//! - [`handout`]: what students are given, without solutions.
 //! - [`results`]: what is known of a class once it has been graded; every report is made from it.
 //! - [`report`]: pages for the lecturer and for each student, and a table of points.
 //! - [`mod@format`]: one student's results as a learning platform reads them.
@@ -14,6 +15,7 @@ mod changes;
 pub mod export;
 pub mod format;
 mod grading;
+pub mod handout;
 pub mod intake;
 mod kept;
 mod merge;

@@ -134,6 +134,8 @@ pub struct Example {
     pub arguments: Vec<Value>,
     /// A right answer.
     pub answer: Value,
+    /// How far each number may be off, relative for those above 1; `None` where there are several right answers.
+    pub tolerance: Option<f32>,
     check: Box<Check>,
 }
 
@@ -151,7 +153,7 @@ impl Example {
         let answer = answer.into_value();
         let wanted = answer.clone();
         let check = move |given: &Value| close("the answer", given.clone(), wanted.clone(), tolerance);
-        Self { caption, arguments, answer, check: Box::new(check) }
+        Self { caption, arguments, answer, tolerance: Some(tolerance), check: Box::new(check) }
     }
 
     /// An example with several right answers, of which `answer` is one.
@@ -161,7 +163,7 @@ impl Example {
         answer: impl worker::Plain,
         check: impl Fn(&Value) -> Result<(), Stop> + Send + Sync + 'static,
     ) -> Self {
-        Self { caption, arguments, answer: answer.into_value(), check: Box::new(check) }
+        Self { caption, arguments, answer: answer.into_value(), tolerance: None, check: Box::new(check) }
     }
 
     /// Whether this answer is right.

@@ -101,7 +101,7 @@ impl Judge {
     }
 
     /// Compiles files into one worker.
-    fn worker(&self, parts: &[Part<'_>]) -> Result<Worker, Outcome> {
+    pub(crate) fn worker(&self, parts: &[Part<'_>]) -> Result<Worker, Outcome> {
         let folder = fs::create_dir_all(&self.scratch)
             .and_then(|()| tempfile::Builder::new().prefix("worker-").tempdir_in(&self.scratch))
             .map_err(|e| {
@@ -158,8 +158,8 @@ fn named(exercise: &Exercise) -> String {
 }
 
 /// A compiled worker; its folder goes with it.
-struct Worker {
-    program: PathBuf,
+pub(crate) struct Worker {
+    pub(crate) program: PathBuf,
     _folder: tempfile::TempDir,
 }
 

@@ -10,6 +10,7 @@
 #![forbid(unsafe_code)]
 
 mod compile;
+mod crowd;
 mod doubt;
 mod judge;
 mod judgement;
@@ -21,6 +22,7 @@ mod rustc;
 mod token;
 
 pub use compile::Compiler;
+pub use crowd::Crowd;
 pub use doubt::Twice;
 pub use judge::{Judge, LONGEST_FILE};
 pub use judgement::{Forfeit, Judgement, LooksLike, Outcome, Unreadable, gave};

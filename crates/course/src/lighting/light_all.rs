@@ -100,6 +100,17 @@ fn examples() -> Vec<Example> {
             vec3(1.4, 2.4, 1.2),
             TOLERANCE,
         ),
+        Example::new(
+            "the light on the horizon, n·l = 0, the eye in the mirror direction: nothing but ambient light (E3)",
+            arguments![
+                red,
+                Vec3::splat(0.5),
+                vec![Light::Directional { to_light: Vec3::X, colour: Vec3::ONE }],
+                SurfacePoint { position: Vec3::ZERO, n: Vec3::Z, to_eye: Vec3::NEG_X }
+            ],
+            vec3(0.25, 0.125, 0.125),
+            TOLERANCE,
+        ),
     ]
 }
 

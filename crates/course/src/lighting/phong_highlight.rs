@@ -90,6 +90,12 @@ fn examples() -> Vec<Example> {
             Vec3::ZERO,
             TOLERANCE,
         ),
+        Example::new(
+            "the light on the horizon itself, n·l = 0, the eye in the mirror direction: nothing either",
+            arguments![vec3(1.0, 0.75, 0.5), 8.0_f32, Vec3::Z, Vec3::X, Vec3::NEG_X],
+            Vec3::ZERO,
+            TOLERANCE,
+        ),
     ]
 }
 

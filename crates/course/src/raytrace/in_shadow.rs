@@ -3,10 +3,10 @@
 use glam::{Vec3, vec3};
 use proptest::prelude::*;
 use testkit::by_hand::{point3, unit_vector};
-use vocabulary::Sphere;
+use vocabulary::{Ray, Sphere};
 
 use super::drawing;
-use super::inputs::{decided, height, sphere, within};
+use super::inputs::{crossings, decided, height, radius, sphere, within};
 use crate::exercise::{arguments, signature};
 use crate::{Concept, Example, Exercise, Law, Misconception, Title, close};
 
@@ -72,6 +72,18 @@ fn examples() -> Vec<Example> {
         Example::new(
             "the lamp lower than the ball",
             arguments![point, vec3(0.0, 1.5, 1.0), vec![ground, above]],
+            false,
+            TOLERANCE,
+        ),
+        Example::new(
+            "the lamp close by, a quarter away",
+            arguments![point, vec3(0.0, 0.25, 1.0), vec![ground, above]],
+            false,
+            TOLERANCE,
+        ),
+        Example::new(
+            "a ball beside the way",
+            arguments![point, lamp, vec![ground, Sphere { center: vec3(2.0, 3.0, 1.0), ..above }]],
             false,
             TOLERANCE,
         ),
@@ -160,6 +172,16 @@ fn laws() -> Vec<Law> {
             close("in_shadow", shadow, false, TOLERANCE)
         }),
         Law::of(
+            "beside_the_way_is_none",
+            1,
+            "A sphere that the way to the lamp passes by casts no shadow on the point.",
+            "The way to the lamp does not meet the sphere. What does a discriminant below 0 say?",
+        )
+        .over(beside_the_way(), |&(p, light, other), program| {
+            let shadow: bool = program.ask(arguments![p, light, vec![other]])?;
+            close("in_shadow", shadow, false, TOLERANCE)
+        }),
+        Law::of(
             "seen_from_the_lamp_it_is_the_same",
             1,
             "If the lamp does not reach the point, a lamp at the point would not reach this lamp's place either.",
@@ -171,6 +193,22 @@ fn laws() -> Vec<Law> {
             close("in_shadow with point and lamp exchanged", back, there, TOLERANCE)
         }),
     ]
+}
+
+/// A point and a lamp, and a sphere beside the way: where the way passes its centre it is a quarter or more from the surface.
+fn beside_the_way() -> impl Strategy<Value = (Vec3, Vec3, Sphere)> + Clone {
+    (point3(6), point3(6), 1..=7, unit_vector(), radius(), 1..=4)
+        .prop_map(|(p, light, eighths, any, radius, quarters)| {
+            let way = light - p;
+            let aside = (radius + quarters as f32 / 4.0) * way.cross(any).normalize_or_zero();
+            (p, light, Sphere { center: p + eighths as f32 / 8.0 * way + aside, radius })
+        })
+        .prop_filter("on the way", |(p, light, sphere)| {
+            p.distance(*light) >= 1.0 && height(p.as_dvec3(), sphere) > 0.1 && decided(*p, *light, &[*sphere])
+        })
+        .prop_filter("met", |(p, light, sphere)| {
+            crossings(&Ray { origin: *p, direction: *light - *p }, sphere).is_none()
+        })
 }
 
 /// Two places in the open, and spheres anywhere.
@@ -260,6 +298,12 @@ fn misconceptions() -> Vec<Misconception> {
             help: "With a direction of length 1, t is a length: the lamp is at t = |l − p|. Keep l − p as it is, or end there.",
         },
         Misconception {
+            program: program!(no_way_past),
+            looks_like: "a sphere that the way passes by counts as met",
+            help: "A discriminant below 0 says that the line passes the sphere by. Made positive, its root gives a t where nothing is \
+                crossed.",
+        },
+        Misconception {
             program: program!(own_sphere_left_out),
             looks_like: "the sphere that the point is on is left out",
             help: "A sphere does shade its own far side. Leave out the crossing at the point, not the whole sphere.",
@@ -336,6 +380,16 @@ fn own_sphere_left_out(point: Vec3, light: Vec3, spheres: &[Sphere]) -> bool {
         let from_center = point - sphere.center;
         let (a, b) = (direction.length_squared(), direction.dot(from_center));
         let root = (b * b - a * (from_center.length_squared() - sphere.radius * sphere.radius)).sqrt();
+        [(-b - root) / a, (-b + root) / a].into_iter().any(|t| 0.001 < t && t < 1.0)
+    })
+}
+
+fn no_way_past(point: Vec3, light: Vec3, spheres: &[Sphere]) -> bool {
+    let direction = light - point;
+    spheres.iter().any(|sphere| {
+        let from_center = point - sphere.center;
+        let (a, b) = (direction.length_squared(), direction.dot(from_center));
+        let root = (b * b - a * (from_center.length_squared() - sphere.radius * sphere.radius)).abs().sqrt();
         [(-b - root) / a, (-b + root) / a].into_iter().any(|t| 0.001 < t && t < 1.0)
     })
 }

@@ -189,11 +189,14 @@ fn ball(extent: i32) -> impl Strategy<Value = Ball> + Clone {
         .prop_map(|(sphere, colour, exponent)| Ball { sphere, colour, exponent })
 }
 
-/// A ray aimed at one of one to three balls, the second of which may be on the lamp's way; everything is decided.
+/// A ray aimed at one of one to three balls, the second of which may be on the lamp's way or behind the lamp; everything is decided.
 fn scene() -> impl Strategy<Value = Scene> + Clone {
     let lamp =
         (point3(6), colour([4, 4, 4])).prop_map(|(position, colour)| Lamp { position, colour: 2.0 * colour });
-    let others = (proptest::collection::vec(ball(3), 0..=2), prop_oneof![Just(None), (3..=6).prop_map(Some)]);
+    let others = (
+        proptest::collection::vec(ball(3), 0..=2),
+        prop_oneof![Just(None), (3..=6).prop_map(Some), (11..=14).prop_map(Some)],
+    );
     let placed =
         (ball(2), others, any::<bool>(), lamp, point3(4), within(), colour([2, 2, 2]), colour([1, 2, 4]));
     placed

@@ -91,6 +91,12 @@ fn examples() -> Vec<Example> {
             0.5 * 0.5_f32.sqrt() * vec3(1.0, 2.0, 0.5),
             TOLERANCE,
         ),
+        Example::new(
+            "the light on the horizon, n·l = 0, the eye in the mirror direction: black (E3)",
+            arguments![shiny, Vec3::ONE, Vec3::X, Vec3::NEG_X, [Vec3::Z; 3], halfway],
+            Vec3::ZERO,
+            TOLERANCE,
+        ),
     ]
 }
 

@@ -88,6 +88,12 @@ fn examples() -> Vec<Example> {
             None::<Basis>,
             TOLERANCE,
         ),
+        Example::new(
+            "up one degree beside the gaze: enough to say where right is",
+            arguments![vec3(0.0, 0.0, -1.0), vec3(0.0, 1.0, -60.0)],
+            Some(ahead),
+            TOLERANCE,
+        ),
     ]
 }
 

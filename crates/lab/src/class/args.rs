@@ -22,6 +22,15 @@ Examples:
 
 Exit code: 0 done, 1 done, but a person has to look (the grader failed at something, or points changed), 2 error.";
 
+const AUDIT_EXAMPLES: &str = "\
+Examples:
+  All exercises, which takes some minutes:
+    cargo lab audit
+  One of them, soon:
+    cargo lab audit ray_sphere --seeds 20
+
+Exit code: 0 all targets are met, 1 an exercise falls short, 2 error.";
+
 const DOCTOR_HELP: &str = "\
 Each line is tried: a program is confined like a student's, and does what it should not be able to do. Takes a second or two.
 
@@ -35,6 +44,9 @@ pub(crate) enum Command {
     Grade(GradeArgs),
     /// Put the parts of a partitioned grading together
     Merge(MergeArgs),
+    /// Audit the exercises' laws: right programs must be accepted, wrong ones rejected
+    #[command(after_help = AUDIT_EXAMPLES)]
+    Audit(AuditArgs),
     /// Write an autograder for a course platform
     Export(ExportArgs),
     /// Say what this system can keep from students' code
@@ -145,6 +157,22 @@ pub(crate) enum Platform {
     GithubClassroom,
     /// Scripts for AutoTest V1 and V2
     Codegrade,
+}
+
+/// `cargo lab audit`.
+#[derive(Args, Debug)]
+pub(crate) struct AuditArgs {
+    /// Names of exercises [default: all]
+    #[arg(value_name = "EXERCISE")]
+    pub(crate) names: Vec<String>,
+
+    /// So many seeds for every right program
+    #[arg(long, value_name = "N", default_value_t = audit::SEEDS, value_parser = clap::value_parser!(u64).range(1..))]
+    pub(crate) seeds: u64,
+
+    /// Print JSON
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 /// Which inputs.

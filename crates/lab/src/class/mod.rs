@@ -3,6 +3,7 @@
 //! [`args`] says what can be typed, [`report`] puts files on the disk.
 
 mod args;
+mod audit;
 mod doctor;
 mod export;
 mod grade;
@@ -22,6 +23,7 @@ pub(crate) fn run(command: &Command) -> Result<Outcome, Failure> {
     match command {
         Command::Grade(asked) => grade::run(asked),
         Command::Merge(asked) => merge::run(asked),
+        Command::Audit(asked) => audit::run(asked),
         Command::Export(asked) => export::run(asked),
         Command::Doctor(asked) => doctor::run(asked),
     }

@@ -15,7 +15,7 @@ pub(crate) mod reset;
 pub(crate) mod solution;
 mod verdict;
 pub(crate) mod watch;
-mod which;
+pub(crate) mod which;
 pub(crate) mod workbench;
 
 // Only signals ask for it.
