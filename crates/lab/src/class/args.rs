@@ -44,6 +44,8 @@ pub(crate) enum Command {
     Grade(GradeArgs),
     /// Put the parts of a partitioned grading together
     Merge(MergeArgs),
+    /// Write the students' edition: tasks, stubs and worked examples, without solutions
+    Handout(HandoutArgs),
     /// Audit the exercises' laws: right programs must be accepted, wrong ones rejected
     #[command(after_help = AUDIT_EXAMPLES)]
     Audit(AuditArgs),
@@ -157,6 +159,18 @@ pub(crate) enum Platform {
     GithubClassroom,
     /// Scripts for AutoTest V1 and V2
     Codegrade,
+}
+
+/// `cargo lab handout`.
+#[derive(Args, Debug)]
+pub(crate) struct HandoutArgs {
+    /// Where it goes: a new or empty folder
+    #[arg(value_name = "DIR")]
+    pub(crate) folder: PathBuf,
+
+    /// With the three hints of each exercise
+    #[arg(long)]
+    pub(crate) hints: bool,
 }
 
 /// `cargo lab audit`.

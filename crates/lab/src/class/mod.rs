@@ -7,6 +7,7 @@ mod audit;
 mod doctor;
 mod export;
 mod grade;
+mod handout;
 mod merge;
 mod report;
 
@@ -23,6 +24,7 @@ pub(crate) fn run(command: &Command) -> Result<Outcome, Failure> {
     match command {
         Command::Grade(asked) => grade::run(asked),
         Command::Merge(asked) => merge::run(asked),
+        Command::Handout(asked) => handout::run(asked),
         Command::Audit(asked) => audit::run(asked),
         Command::Export(asked) => export::run(asked),
         Command::Doctor(asked) => doctor::run(asked),
