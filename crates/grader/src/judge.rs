@@ -174,10 +174,11 @@ fn weigh(
     blank: Judgement,
 ) -> Result<Judgement, Fault> {
     let mut outcome = outcome(&examination);
+    let mut fresh = process();
     // Nothing is to be gained by answering twice where nothing is gained.
     if matches!(outcome, Outcome::Passed | Outcome::Wrong)
         && examination.points() > 0
-        && let Some(twice) = doubt::unsteady(&examination, &mut process())?
+        && let Some(twice) = doubt::unsteady(&examination, &mut fresh)?
     {
         outcome = Outcome::Unsteady(Box::new(twice));
     }
@@ -189,7 +190,7 @@ fn weigh(
     };
     let wrong = matches!(outcome, Outcome::Wrong);
     let looks_like = if wrong { looks_like(exercise, &examination) } else { None };
-    let picture = if wrong { picture(exercise, &examination, process()) } else { None };
+    let picture = if wrong { picture(exercise, &examination, fresh) } else { None };
     let points = if forfeit.is_some() { 0 } else { examination.points() };
     Ok(Judgement { outcome, points, forfeit, laws: examination.laws, looks_like, picture, ..blank })
 }

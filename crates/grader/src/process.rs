@@ -1,6 +1,6 @@
 //! How is a worker asked, and how does one see that it will not answer any more?
 
-use std::io::{self, BufReader};
+use std::io::{self, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitStatus;
 use std::thread;
@@ -9,13 +9,17 @@ use std::time::{Duration, Instant};
 use course::{Answerer, Exercise, Fault, Loss, Reply, Value};
 use sandbox::Launcher;
 use worker::system::{self, Channel};
-use worker::wire::{self, Answer, Panic, Question};
+use worker::wire::{self, Answer, Panic};
 
 use crate::printed::{Printed, Stream};
 use crate::running::{NotBegun, Running};
 
 /// A panic's message is kept up to so many characters.
 const LONGEST_WORDS: usize = 2000;
+
+/// So many bytes of questions are sent before the first answer is read: a channel holds more. Shrinking asks one question at a time, and a thread for
+/// each would take longer than the answer.
+const AT_ONCE: usize = 32 << 10;
 
 /// What a worker may take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -90,6 +94,15 @@ impl Process {
         let surplus = self.running.take().is_some_and(|mut running| running.finish());
         let [out, err] = &self.printed;
         (Printed { out: out.output(), err: err.output() }, surplus)
+    }
+
+    /// Questions as bytes, one behind the other.
+    fn asking(&self, questions: &[Vec<Value>]) -> io::Result<Vec<u8>> {
+        let mut bytes = Vec::new();
+        for arguments in questions {
+            wire::ask(&mut bytes, self.function, arguments)?;
+        }
+        Ok(bytes)
     }
 
     /// What became of the worker that fell silent.
@@ -209,27 +222,25 @@ impl Answerer for Process {
             },
         };
         let mut replies = Vec::with_capacity(questions.len());
-        let mut asking =
+        let asking = self.asking(questions).map_err(|e| Fault(format!("a question cannot be sent: {e}")))?;
+        let mut channel =
             running.channel.try_clone().map_err(|e| Fault(format!("no channel to the worker: {e}")))?;
-        let function = self.function;
-        let ended = thread::scope(|scope| {
-            // Written by a thread of its own: with both ends full, each would wait for the other.
-            scope.spawn(move || {
-                for arguments in questions {
-                    let question = Question { function, arguments: arguments.clone() };
-                    // A worker that is gone is noticed by the one who reads.
-                    if wire::send(&mut asking, &question).is_err() {
-                        break;
-                    }
+        // A worker that is gone is noticed by the one who reads.
+        let ended = if asking.len() <= AT_ONCE {
+            let _ = channel.write_all(&asking);
+            self.read(&mut running.answers, questions, &mut replies)
+        } else {
+            thread::scope(|scope| {
+                // Written by a thread of its own: with both ends full, each would wait for the other.
+                scope.spawn(move || channel.write_all(&asking));
+                let ended = self.read(&mut running.answers, questions, &mut replies);
+                if ended.is_err() {
+                    // So that the thread that writes comes to an end.
+                    let _ = running.channel.shutdown(std::net::Shutdown::Both);
                 }
-            });
-            let ended = self.read(&mut running.answers, questions, &mut replies);
-            if ended.is_err() {
-                // So that the thread that writes comes to an end.
-                let _ = running.channel.shutdown(std::net::Shutdown::Both);
-            }
-            ended
-        });
+                ended
+            })
+        };
         match ended {
             Ok(()) => self.running = Some(running),
             Err(silence) => replies.push(Ok(Reply::Lost(self.loss(running, &silence)))),

@@ -50,7 +50,10 @@ impl Running {
         let mut running = Self::spawn(worker, limits, launcher, printed)?;
         let words = wire::receive::<Ready>(&mut running.answers);
         if let Ok(Some(Ready)) = words {
-            let limit = running.channel.set_read_timeout(Some(limits.time));
+            let limit = running
+                .channel
+                .set_read_timeout(Some(limits.time))
+                .and_then(|()| running.channel.set_write_timeout(Some(limits.time)));
             return limit.map(|()| running).map_err(|e| fault("no time limit can be set", &e));
         }
         running.wait(LAST_WORDS);

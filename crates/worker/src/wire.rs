@@ -49,6 +49,21 @@ pub struct Panic {
     pub elsewhere: bool,
 }
 
+/// Writes one question, without taking its arguments.
+///
+/// # Errors
+/// What writing gives; `InvalidInput` for a question over [`LONGEST`].
+pub fn ask(to: &mut impl Write, function: u32, arguments: &[Value]) -> io::Result<()> {
+    send(to, &Asked { function, arguments })
+}
+
+/// A [`Question`] whose arguments stay where they are; the same bytes.
+#[derive(Serialize)]
+struct Asked<'a> {
+    function: u32,
+    arguments: &'a [Value],
+}
+
 /// Writes one message.
 ///
 /// # Errors

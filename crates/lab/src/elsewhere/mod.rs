@@ -19,15 +19,15 @@ pub(crate) struct Words {
     _words: Vec<OsString>,
 }
 
-/// Hands the whole command line to a program with this feature.
+/// Hands the whole command line to a program with this feature, built with this profile.
 ///
 /// # Errors
 /// [`Failure`] if cargo does not start.
-pub(crate) fn run(feature: &str) -> Result<Outcome, Failure> {
+pub(crate) fn run(feature: &str, profile: &str) -> Result<Outcome, Failure> {
     let manifest = Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml");
     let mut cargo = Process::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     cargo
-        .args(["run", "--quiet", "--release", "--package", env!("CARGO_PKG_NAME")])
+        .args(["run", "--quiet", "--profile", profile, "--package", env!("CARGO_PKG_NAME")])
         .args(["--no-default-features", "--features", feature, "--manifest-path"])
         .arg(manifest)
         .arg("--")

@@ -31,5 +31,5 @@ pub(crate) enum Command {
 /// # Errors
 /// [`Failure`] if cargo does not start.
 pub(crate) fn run(_command: &Command) -> Result<Outcome, Failure> {
-    elsewhere::run("pictures")
+    elsewhere::run("pictures", "release")
 }
