@@ -5,12 +5,13 @@ use maud::{Markup, html};
 /// So many bars of equal width from 0 to 100 %.
 const BINS: usize = 20;
 const WIDTH: f64 = 760.0;
-const HEIGHT: f64 = 240.0;
+const HEIGHT: f64 = 256.0;
 /// Room for the numbers at the axes.
 const LEFT: f64 = 34.0;
 const RIGHT: f64 = 26.0;
 const BOTTOM: f64 = 30.0;
-const TOP: f64 = 18.0;
+/// The word beside the line of the mean stands above the highest number.
+const TOP: f64 = 34.0;
 
 /// How many submissions have which share of the points. The last bar has its upper end, all points, in it.
 pub(crate) fn histogram(shares: &[f64], mean: Option<f64>) -> Markup {
