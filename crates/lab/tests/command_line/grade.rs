@@ -50,6 +50,13 @@ impl Lecturer {
         Said::from(self.command(line).output().expect("it runs"))
     }
 
+    /// It went well; what was said, if it did not.
+    #[track_caller]
+    fn grades(&self, line: &str) {
+        let said = self.says(line);
+        assert_eq!(said.code, Some(0), "{line}: {said:?}");
+    }
+
     fn results(&self, report: &str) -> Json {
         let bytes = fs::read(self.path(report).join("results.json")).expect("results");
         serde_json::from_slice(&bytes).expect("JSON")
@@ -131,10 +138,10 @@ fn a_class_is_graded_and_every_outcome_is_its_own() {
 #[test]
 fn a_second_run_gives_the_same_bytes_and_another_seed_other_inputs() {
     let lecturer = Lecturer::new(&[("ada", RIGHT), ("bob", NOT_MOVED_BACK)]);
-    assert_eq!(lecturer.says("grade @class --out @one").code, Some(0));
-    assert_eq!(lecturer.says("grade @class --out @two --jobs 1 --quiet").code, Some(0));
+    lecturer.grades("grade @class --out @one");
+    lecturer.grades("grade @class --out @two --jobs 1 --quiet");
     same(&lecturer.path("one"), &lecturer.path("two"));
-    assert_eq!(lecturer.says("grade @class --out @three --seeds per-student --seed 7").code, Some(0));
+    lecturer.grades("grade @class --out @three --seeds per-student --seed 7");
     let three = lecturer.results("three");
     assert_eq!(three["seeds"], serde_json::json!({ "seed": 7, "per_student": true }));
     assert_ne!(three["submissions"][0]["seed"], three["submissions"][1]["seed"]);
@@ -145,7 +152,7 @@ fn a_second_run_gives_the_same_bytes_and_another_seed_other_inputs() {
 fn shares_put_together_are_the_whole_to_the_byte() {
     let lecturer =
         Lecturer::new(&[("ada", RIGHT), ("bob", NOT_MOVED_BACK), ("cleo", "todo!()"), ("dan", "{")]);
-    assert_eq!(lecturer.says("grade @class --out @whole").code, Some(0));
+    lecturer.grades("grade @class --out @whole");
     for part in 1..=3 {
         let said = lecturer.says(&format!("grade @class --out @part{part} --partition {part}/3"));
         assert_eq!(said.code, Some(0), "{said:?}");
@@ -166,7 +173,7 @@ fn shares_put_together_are_the_whole_to_the_byte() {
 fn a_run_that_was_killed_goes_on_and_judges_nothing_twice() {
     let lecturer = Lecturer::new(&[("ada", RIGHT), ("bob", NOT_MOVED_BACK), ("cleo", RIGHT)]);
     lecturer.hands_in("zoe", "loop {}");
-    assert_eq!(lecturer.says("grade @class --out @whole --seed 5").code, Some(0));
+    lecturer.grades("grade @class --out @whole --seed 5");
     let mut run =
         lecturer.command("grade @class --out @killed --seed 5 --jobs 1 --quiet").spawn().expect("started");
     while !lecturer.path("killed/judged/cleo.json").is_file() {
@@ -194,7 +201,7 @@ fn a_run_that_was_killed_goes_on_and_judges_nothing_twice() {
 #[test]
 fn changes_are_listed_with_the_laws_that_made_them() {
     let lecturer = Lecturer::new(&[("ada", NOT_MOVED_BACK), ("bob", RIGHT)]);
-    assert_eq!(lecturer.says("grade @class --out @old").code, Some(0));
+    lecturer.grades("grade @class --out @old");
     lecturer.hands_in("ada", RIGHT);
     let said = lecturer.says("grade @class --out @new --compare @old");
     assert_eq!(said.code, Some(1), "{said:?}");

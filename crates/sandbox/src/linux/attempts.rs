@@ -51,7 +51,8 @@ pub(crate) fn attempt(what: &str, arguments: &[OsString]) -> Option<bool> {
 /// Whether a thread with a small stack is refused, one with the usual one is not, and many of those are.
 fn too_many_threads() -> bool {
     let start = |stack: usize| {
-        let pause = || thread::sleep(Duration::from_secs(2));
+        // On a busy system starting them takes a while, in which none may end; they end with the process.
+        let pause = || thread::sleep(Duration::from_secs(600));
         thread::Builder::new().stack_size(stack).spawn(pause)
     };
     start(64 << 10).is_err() && start(2 << 20).is_ok() && (0..2048).any(|_| start(2 << 20).is_err())

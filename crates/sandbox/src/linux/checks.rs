@@ -76,7 +76,9 @@ impl Place {
     /// Starts this program confined and lets it try.
     fn finding(&self, launcher: &Launcher, attempt: &Try) -> Finding {
         let missing = |why: String| Finding::Missing { why, remedy: attempt.remedy };
-        let takings = Takings { cpu: Duration::from_secs(1), file: 64 << 10, open: 32, ..Takings::default() };
+        // All but one need next to nothing; it must not be the limit of time that ends them on a slow system.
+        let cpu = Duration::from_secs(if attempt.what == "loop" { 1 } else { 10 });
+        let takings = Takings { cpu, file: 64 << 10, open: 32, ..Takings::default() };
         let takings =
             Takings { processes: if attempt.what == "processes" { 1 } else { takings.processes }, ..takings };
         let program = launcher.program();
