@@ -2,7 +2,7 @@
 //!
 //! The right one's text is read as Rust, and at each place something is changed that a tired student might write: another operator, a sign, a
 //! border, two arguments exchanged, a call left out. Only the text changes, so a mutant looks like the original but for a line or two; whether it
-//! compiles is for the compiler to say. Read [`finder`] next.
+//! compiles is for the compiler to say. Read `finder` next.
 
 mod calls;
 mod choices;
