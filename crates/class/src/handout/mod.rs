@@ -1,6 +1,6 @@
 //! What are students given? A small workspace of its own: tasks, stubs, worked examples as tests; no solutions, and nothing of what judges.
 //!
-//! [`files`] gives its text; [`task`] is what is said of an exercise, [`example`] how a worked example becomes a test.
+//! [`files`] gives its text; `task` is what is said of an exercise, `example` how a worked example becomes a test.
 
 mod example;
 mod task;
