@@ -14,7 +14,7 @@ use crate::intake::{Class, Entry, Taken};
 use crate::kept::{self, Conditions, Kept};
 use crate::outline;
 use crate::partition::Partition;
-use crate::results::{Audience, Notice, Results, SCHEMA, Seeds, Submission, VERSION, Verdict};
+use crate::results::{Results, SCHEMA, Seeds, Submission, VERSION, Verdict};
 use crate::sum::Sum;
 use crate::verdict::verdict;
 
@@ -86,7 +86,9 @@ impl Grading<'_> {
 
     fn submission(&self, entry: &Entry, course: &str) -> Result<Submission, GradeError> {
         let seed = self.seeds.of(&entry.id);
-        let taken = entry.take().unwrap_or_else(|error| unreadable(&error));
+        let taken = entry.take();
+        let problem = taken.as_ref().err().map(|error| format!("the submission cannot be read: {error}"));
+        let taken = taken.unwrap_or_default();
         let conditions = Conditions {
             course: course.to_owned(),
             fingerprint: fingerprint(&taken),
@@ -94,13 +96,17 @@ impl Grading<'_> {
             sandboxed: self.sandboxed,
             limits: format!("{:?}", self.judge.limits),
         };
-        let known =
-            Kept::read(self.report, &entry.id).filter(|kept| self.resume && kept.conditions == conditions);
+        let known = Kept::read(self.report, &entry.id)
+            .filter(|kept| self.resume && kept.conditions == conditions && !kept.failed());
         let is_known = known.is_some();
         let kept = match known {
             Some(kept) => kept,
             None => {
-                let kept = Kept { conditions, verdicts: self.verdicts(&taken, seed) };
+                let verdicts = match problem {
+                    Some(problem) => failed(seed, &problem).iter().map(verdict).collect(),
+                    None => self.verdicts(&taken, seed),
+                };
+                let kept = Kept { conditions, verdicts };
                 let path = kept::path(self.report, &entry.id);
                 let written = kept.bytes().and_then(|bytes| (self.write)(&path, &bytes));
                 written.map_err(|error| GradeError { path, error })?;
@@ -186,11 +192,6 @@ fn failed(seed: u64, why: &str) -> Vec<Judgement> {
         ..Judgement::not_started(exercise, seed)
     };
     course::all().iter().map(of).collect()
-}
-
-fn unreadable(error: &io::Error) -> Taken {
-    let text = format!("The submission cannot be read: {error}.");
-    Taken { notices: vec![Notice { audience: Audience::Staff, text }], ..Taken::default() }
 }
 
 fn fingerprint(taken: &Taken) -> String {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use crate::results::Verdict;
+use crate::results::{Outcome, Verdict};
 
 /// Where, in the folder of a report, what was judged is kept: one file a submission.
 pub const FOLDER: &str = "judged";
@@ -39,6 +39,11 @@ impl Kept {
     /// What is kept under this id; `None` where nothing is, or nothing that can be read: then it is judged again.
     pub(crate) fn read(report: &Path, id: &str) -> Option<Self> {
         serde_json::from_slice(&fs::read(path(report, id)).ok()?).ok()
+    }
+
+    /// Whether the grader failed at something: next time it may not.
+    pub(crate) fn failed(&self) -> bool {
+        self.verdicts.iter().any(|verdict| verdict.outcome == Outcome::GraderError)
     }
 
     pub(crate) fn bytes(&self) -> io::Result<Vec<u8>> {

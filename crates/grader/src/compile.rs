@@ -119,7 +119,9 @@ fn lay_out(parts: &[Part<'_>], folder: &Path) -> io::Result<()> {
     for (at, part) in parts.iter().enumerate() {
         fs::write(folder.join(copy(at)), fs::read(part.file)?)?;
     }
-    fs::write(folder.join(MAIN), main_file(parts))
+    let texts: Vec<Vec<u8>> =
+        (0..parts.len()).map(|at| fs::read(folder.join(copy(at)))).collect::<Result<_, _>>()?;
+    fs::write(folder.join(MAIN), main_file(parts, course::fingerprint(texts.concat())))
 }
 
 /// The name of a student's file in the folder.
@@ -148,14 +150,16 @@ fn stopped(how: &str) -> NotCompiled {
     NotCompiled::Refused { message, note: Some(note) }
 }
 
-/// The main file: each student's file is a module of it.
-fn main_file(parts: &[Part<'_>]) -> String {
-    let modules: String = (0..parts.len()).map(|at| format!("mod student_{at};\n")).collect();
+/// The main file: each student's file is a module of it. No file knows the name of another's module, or its own: a solution stands by itself.
+fn main_file(parts: &[Part<'_>], secret: u64) -> String {
+    let name = |at: usize| format!("student_{secret:016x}_{at}");
+    let modules: String =
+        (0..parts.len()).map(|at| format!("#[path = {:?}]\nmod {};\n", copy(at), name(at))).collect();
     let functions: String = parts
         .iter()
         .enumerate()
         .map(|(at, Part { exercise, .. })| {
-            format!("worker::function!(student_{at}::{}, {}), ", exercise.name, exercise.signature.text)
+            format!("worker::function!({}::{}, {}), ", name(at), exercise.name, exercise.signature.text)
         })
         .collect();
     format!(

@@ -50,7 +50,7 @@ pub(crate) fn unsteady(examination: &Examination, fresh: &mut dyn Answerer) -> R
 /// Whether one answer was given to every call, though calls were made that have different right answers.
 pub(crate) fn is_constant(exercise: &Exercise, examination: &Examination) -> bool {
     let Some((_, one)) = examination.answered.first() else { return false };
-    if examination.passed() || !examination.answered.iter().all(|(_, answer)| alike(answer, one)) {
+    if examination.passed() || !examination.answered.iter().all(|(_, answer)| same(answer, one)) {
         return false;
     }
     let questions: Vec<Vec<Value>> =

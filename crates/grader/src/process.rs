@@ -8,11 +8,11 @@ use std::time::{Duration, Instant};
 
 use course::{Answerer, Exercise, Fault, Loss, Reply, Value};
 use sandbox::Launcher;
-use worker::system::{self, Channel};
+use worker::system;
 use worker::wire::{self, Answer, Panic};
 
 use crate::printed::{Printed, Stream};
-use crate::running::{NotBegun, Running};
+use crate::running::{NotBegun, Running, Timed};
 
 /// A panic's message is kept up to so many characters.
 const LONGEST_WORDS: usize = 2000;
@@ -148,7 +148,7 @@ impl Process {
     /// Reads the answers to questions. What cannot be asked is the error of a reply.
     fn read(
         &self,
-        answers: &mut BufReader<Channel>,
+        answers: &mut BufReader<Timed>,
         questions: &[Vec<Value>],
         replies: &mut Vec<Result<Reply, Fault>>,
     ) -> Result<(), Silence> {
@@ -156,6 +156,7 @@ impl Process {
             if self.is_over() {
                 return Err(Silence::Slow(self.limits.whole));
             }
+            answers.get_mut().until = Instant::now() + self.limits.time;
             replies.push(match wire::receive::<Answer>(answers) {
                 Ok(Some(Answer::Value(value))) => Ok(Reply::Value(value)),
                 Ok(Some(Answer::Panicked(panic))) => Ok(Reply::Panicked(shortened(panic))),

@@ -1,6 +1,6 @@
 //! How does a worker begin and end?
 
-use std::io::{self, BufRead, BufReader};
+use std::io::{self, BufRead, BufReader, Read};
 use std::net::Shutdown;
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
@@ -26,8 +26,26 @@ const LAST_WORDS: Duration = Duration::from_millis(200);
 pub(crate) struct Running {
     child: Child,
     pub(crate) channel: Channel,
-    pub(crate) answers: BufReader<Channel>,
+    pub(crate) answers: BufReader<Timed>,
     outputs: Vec<JoinHandle<()>>,
+}
+
+/// The answers' end of a channel, until a moment: a worker that sends byte by byte is as late as one that sends none.
+#[derive(Debug)]
+pub(crate) struct Timed {
+    channel: Channel,
+    pub(crate) until: Instant,
+}
+
+impl Read for Timed {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let left = self.until.saturating_duration_since(Instant::now());
+        if left.is_zero() {
+            return Err(io::ErrorKind::TimedOut.into());
+        }
+        self.channel.set_read_timeout(Some(left))?;
+        self.channel.read(buffer)
+    }
 }
 
 /// Why a worker does not run.
@@ -50,10 +68,7 @@ impl Running {
         let mut running = Self::spawn(worker, limits, launcher, printed)?;
         let words = wire::receive::<Ready>(&mut running.answers);
         if let Ok(Some(Ready)) = words {
-            let limit = running
-                .channel
-                .set_read_timeout(Some(limits.time))
-                .and_then(|()| running.channel.set_write_timeout(Some(limits.time)));
+            let limit = running.channel.set_write_timeout(Some(limits.time));
             return limit.map(|()| running).map_err(|e| fault("no time limit can be set", &e));
         }
         running.wait(LAST_WORDS);
@@ -89,8 +104,8 @@ impl Running {
             child.stderr.take().map(|pipe| printed[1].follow(pipe)),
         ];
         let begun = offer.accept(Instant::now() + TO_BEGIN).and_then(|channel| {
-            channel.set_read_timeout(Some(TO_BEGIN))?;
-            let answers = BufReader::new(channel.try_clone()?);
+            let until = Instant::now() + TO_BEGIN;
+            let answers = BufReader::new(Timed { channel: channel.try_clone()?, until });
             Ok((channel, answers))
         });
         match begun {
@@ -130,7 +145,7 @@ impl Running {
         let _ = self.channel.shutdown(Shutdown::Write);
         self.wait(LAST_WORDS);
         self.end();
-        let _ = self.channel.set_read_timeout(Some(LAST_WORDS));
+        self.answers.get_mut().until = Instant::now() + LAST_WORDS;
         self.answers.fill_buf().is_ok_and(|rest| !rest.is_empty())
     }
 }

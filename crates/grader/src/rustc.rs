@@ -143,13 +143,15 @@ fn judged(status: ExitStatus, words: &[u8], files: usize) -> io::Result<End> {
     Ok(match system::signal(status) {
         Some(signal) if system::is_out_of_time(signal) => End::TooLong(time(files)),
         Some(_) => End::Broken,
-        None if said(&words).text.starts_with(NO_LINKER) => return Err(io::Error::other(said(&words).text)),
-        None => End::Refused(said(&words)),
+        None => match said(&words) {
+            // It points at no file: there is no linker, no room on the disk, … Nothing that a file says, whatever words it uses.
+            said if said.files.is_empty() && said.codes.is_empty() => {
+                return Err(io::Error::other(said.text));
+            }
+            said => End::Refused(said),
+        },
     })
 }
-
-/// How rustc says that there is no linker, which is nothing that a file could do.
-const NO_LINKER: &str = "error: could not exec the linker";
 
 const MEMORY_WORDS: [&str; 4] =
     ["memory allocation of", "out of memory", "Cannot allocate memory", "bad_alloc"];

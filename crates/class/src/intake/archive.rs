@@ -9,8 +9,8 @@ use zip::ZipArchive;
 
 use super::candidates::{is_stray, quoted};
 
-/// A larger archive is not opened, in bytes: what is not a solution weighs something, too, but not this much.
-const LARGEST: u64 = 256 << 20;
+/// A larger archive is not opened, in bytes: what is not a solution weighs something, too, but not this much. The names in it are all held in memory.
+const LARGEST: u64 = 32 << 20;
 
 /// An open archive.
 pub(super) struct Archive(ZipArchive<BufReader<File>>);

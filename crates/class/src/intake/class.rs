@@ -1,12 +1,13 @@
 //! Who is in the class, and which of the folders, archives and loose files is whose?
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ffi::OsStr;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use super::candidates::{is_of_an_exercise, is_stray, listed, quoted};
-use super::names::{self, Named};
+use super::names::{self, Kind, Named};
 use super::{Entry, Place};
 use crate::results::{Audience, Notice};
 use crate::sum::Sum;
@@ -53,13 +54,17 @@ impl Class {
         let failed = |error| ClassError::Io { path: folder.to_owned(), error };
         let mut students: BTreeMap<String, Attempts> = BTreeMap::new();
         let mut nobodys = Vec::new();
-        for entry in fs::read_dir(folder).map_err(failed)? {
-            let entry = entry.map_err(failed)?;
-            let name = entry.file_name().to_string_lossy().into_owned();
-            if is_stray(&name) {
+        let found: Vec<fs::DirEntry> = fs::read_dir(folder).and_then(Iterator::collect).map_err(failed)?;
+        let names: BTreeSet<String> =
+            found.iter().map(|entry| stem(&spelled(&entry.file_name())).to_owned()).collect();
+        for entry in found {
+            let name = spelled(&entry.file_name());
+            if name == "__MACOSX" || name == ".DS_Store" {
                 continue;
             }
-            match whose(&name, entry.file_type().map_err(failed)?) {
+            let named =
+                if is_stray(&name) { None } else { whose(&name, entry.file_type().map_err(failed)?, &names) };
+            match named {
                 Some(named) => {
                     students.entry(named.key.clone()).or_default().push((named, name, entry.path()));
                 }
@@ -84,23 +89,47 @@ impl Class {
     pub fn single(path: &Path) -> Result<Self, ClassError> {
         let real = fs::canonicalize(path).map_err(|error| ClassError::Io { path: path.to_owned(), error })?;
         let name = real.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let named = Named { attempt: String::new(), ..names::read(stem(&name), true) };
+        let named = names::plain(stem(&name));
         let students = BTreeMap::from([(named.key.clone(), vec![(named, name, real)])]);
         Ok(Self { entries: entries(students), remarks: Vec::new() })
     }
 }
 
 /// Whose a folder, an archive or a loose file is; `None` for what is nobody's.
-fn whose(name: &str, kind: fs::FileType) -> Option<Named> {
-    let is_archive = kind.is_file() && name.to_lowercase().ends_with(".zip");
-    if kind.is_dir() || is_archive {
-        let named = names::read(stem(name), false);
-        // A loose file's name keeps its ending; an archive's own name says nothing.
-        return Some(Named { own_name: None, ..named });
+fn whose(name: &str, kind: fs::FileType, names: &BTreeSet<String>) -> Option<Named> {
+    if kind.is_dir() {
+        return Some(
+            names::of_a_platform(name, Kind::Folder).unwrap_or_else(|| names::of_a_person(name, names)),
+        );
     }
-    let named = names::read(name, true);
-    // Links lead elsewhere, and a platform's notes about a submission are no part of it.
-    (kind.is_file() && is_of_an_exercise(named.own_name.as_deref()?)).then_some(named)
+    if !kind.is_file() {
+        // Links lead elsewhere.
+        return None;
+    }
+    let is_archive = name.to_lowercase().ends_with(".zip");
+    match names::of_a_platform(name, Kind::File) {
+        // A platform's notes about a submission are no part of it.
+        Some(named) => {
+            let own = named.own_name.as_deref().unwrap_or_default();
+            (is_archive || is_of_an_exercise(own)).then_some(named)
+        }
+        None if is_archive => {
+            let name = stem(name);
+            Some(names::of_a_platform(name, Kind::Folder).unwrap_or_else(|| names::of_a_person(name, names)))
+        }
+        None => None,
+    }
+}
+
+/// A name as text. Where it is none, its bytes tell it apart from others that look the same.
+fn spelled(name: &OsStr) -> String {
+    match name.to_str() {
+        Some(name) => name.to_owned(),
+        None => {
+            let sum = Sum::of([name.as_encoded_bytes()]).hexadecimal();
+            format!("{} {}", name.to_string_lossy(), &sum[..6])
+        }
+    }
 }
 
 fn stem(name: &str) -> &str {
@@ -166,9 +195,10 @@ fn id(key: &str, taken: &mut BTreeSet<String>) -> String {
     if unchanged {
         return plain;
     }
-    let id = format!("{plain}-{}", &Sum::of([key.as_bytes()]).hexadecimal()[..10]);
-    taken.insert(id.to_ascii_lowercase());
-    id
+    let sum = Sum::of([key.as_bytes()]).hexadecimal();
+    let ids = (10..=sum.len()).map(|length| format!("{plain}-{}", &sum[..length]));
+    // Somebody may bear a name that looks like another's id.
+    ids.into_iter().find(|id| taken.insert(id.to_ascii_lowercase())).unwrap_or(sum)
 }
 
 /// Names that Windows keeps for devices.

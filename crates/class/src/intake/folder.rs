@@ -1,4 +1,4 @@
-//! What is in a student's folder? Files, and archives where there is nothing else.
+//! What is in a student's folder? Files, and archives of files.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File};
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use grader::LONGEST_FILE;
 
 use super::archive::Archive;
-use super::candidates::{Found, choose, is_of_an_exercise, is_stray, listed, quoted};
+use super::candidates::{Found, choose, is_stray, listed, quoted};
 use super::{Entry, Place, Taken};
 use crate::results::{Audience, Notice};
 
@@ -125,11 +125,10 @@ impl Search {
         }
     }
 
-    /// Archives count where no exercise's file lies beside them.
+    /// What is in archives counts like what lies beside them.
     fn open_archives(&mut self) {
-        let beside = self.files.iter().any(|file| is_of_an_exercise(&file.path));
         for (at, (path, name)) in std::mem::take(&mut self.archives).into_iter().enumerate() {
-            if beside || at >= MOST_ARCHIVES {
+            if at >= MOST_ARCHIVES {
                 self.files.push(Found { path: name, attempt: String::new(), place: Bytes::OnDisk(path) });
                 continue;
             }

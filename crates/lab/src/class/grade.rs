@@ -88,10 +88,13 @@ fn not_among_submissions(asked: &GradeArgs) -> Result<(), Failure> {
 
 fn seeds(asked: &GradeArgs) -> Seeds {
     let begun = if asked.resume { read_run(&asked.out) } else { None };
+    let goes_on = begun.is_some();
     let begun = begun.unwrap_or(Seeds { seed: SEED, per_student: false });
     Seeds {
         seed: match asked.seed {
             None => begun.seed,
+            // The same command again goes on with the number that was drawn.
+            Some(Seed::Fresh) if goes_on => begun.seed,
             Some(Seed::Given(seed)) => seed,
             // Of 48 bits, so that any program that reads the report reads the same number.
             Some(Seed::Fresh) => RandomState::new().hash_one(std::process::id()) >> 16,
@@ -153,7 +156,8 @@ fn progress(number: usize, of: usize, submission: &Submission, known: bool) -> S
     format!("{number} of {of}  {id}  {points} of {most} points{known}")
 }
 
-fn failed(submission: &Submission) -> bool {
+/// Whether a person has to look.
+pub(super) fn failed(submission: &Submission) -> bool {
     submission.verdicts.iter().any(|verdict| verdict.outcome == Word::GraderError)
 }
 

@@ -38,5 +38,6 @@ pub(crate) fn run(asked: &MergeArgs) -> Result<Outcome, Failure> {
     report::write_all(&asked.out, &results, &asked.format)?;
     say(&format!("{} submissions of {} parts", results.submissions.len(), asked.parts.len()))?;
     say(&format!("{}", asked.out.join("class.html").display()))?;
-    Ok(Outcome::Done)
+    let failed = results.submissions.iter().any(super::grade::failed);
+    Ok(if failed { Outcome::Unexpected } else { Outcome::Done })
 }

@@ -92,11 +92,11 @@ impl Workbench {
         fs::create_dir_all(&self.scratch).map_err(|e| {
             Failure::io("make the folder", &self.scratch, &e, "free some space, or make it writable")
         })?;
-        let memory = self.scratch.join("kit.json");
         // A debug build is one for tests. What is built for tests of the whole workspace has other features than a build of this package alone, which
         // would build everything a second time; the worker alone is soon built.
         let package = if cfg!(debug_assertions) { "worker" } else { env!("CARGO_PKG_NAME") };
         let build = Build { features: features(), ..Build::of(package) };
+        let memory = self.scratch.join(format!("kit-{}.json", build.profile));
         let kit = Kit::remembered(&self.root, build, &memory).map_err(|e| {
             Failure::new(e.to_string(), "see that `cargo build --release --package lab` succeeds")
         })?;
