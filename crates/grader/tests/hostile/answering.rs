@@ -103,3 +103,10 @@ fn a_panic_that_says_very_much_is_shortened() {
     };
     assert!(panic.message.chars().count() < 3000 && panic.message.ends_with('…'));
 }
+
+#[test]
+fn an_answer_byte_by_byte_is_late() {
+    let drip = "channel.write_all(&[96, 234, 0, 0]).unwrap(); \
+                loop { channel.write_all(&[0]).unwrap(); std::thread::sleep(std::time::Duration::from_millis(300)) }";
+    assert_outcomes(&[&with_channel(drip)], |outcome| matches!(outcome, Outcome::TimedOut(2000)));
+}

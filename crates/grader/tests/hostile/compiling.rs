@@ -3,7 +3,7 @@
 use grader::{Judgement, Outcome};
 
 use crate::bench::{Bench, in_function, root};
-use crate::{RIGHT, judged};
+use crate::{RIGHT, assert_outcomes, judged};
 
 /// A file with something beside a right function.
 fn beside(something: &str) -> Vec<u8> {
@@ -130,4 +130,10 @@ fn thousands_of_errors_are_not_passed_on() {
 fn the_judge_says_beforehand_whether_it_can_compile_and_start_anything() {
     let Some(bench) = Bench::confined() else { return };
     assert_eq!(bench.judge_itself().rehearse(), Ok(()));
+}
+
+#[test]
+fn what_a_file_makes_the_compiler_say_does_not_make_it_our_fault() {
+    let body = "compile_error!(\"could not exec the linker `cc`\"); Mat3::IDENTITY";
+    assert_outcomes(&[body], |outcome| matches!(outcome, Outcome::DoesNotCompile { .. }));
 }
