@@ -183,15 +183,22 @@ fn said(asked: &GradeArgs, results: &Results) -> Result<(), Failure> {
     say(&format!("{}", asked.out.join("class.html").display()))
 }
 
-/// A folder for what is compiled on the way: always the same for a report, so that what a run left behind that was killed goes with the next.
+/// A folder for what is compiled on the way, this run's own. What earlier runs of the same report left behind, which were killed, goes.
 struct Scratch(PathBuf);
 
 impl Scratch {
     fn beside(scratch: &Path, report: &Path) -> Result<Self, Failure> {
         let report = fs::canonicalize(report).unwrap_or_else(|_| report.to_owned());
-        let folder =
-            scratch.join(format!("grade-{:016x}", course::fingerprint(report.to_string_lossy().bytes())));
-        let _ = fs::remove_dir_all(&folder);
+        let prefix = format!("grade-{:016x}-", course::fingerprint(report.to_string_lossy().bytes()));
+        for entry in fs::read_dir(scratch).into_iter().flatten().flatten() {
+            let name = entry.file_name().to_string_lossy().into_owned();
+            let run = name.strip_prefix(&prefix).map(|process| Path::new("/proc").join(process));
+            // Where nobody can say whether that run lives, it stays.
+            if cfg!(target_os = "linux") && run.is_some_and(|run| !run.exists()) {
+                let _ = fs::remove_dir_all(entry.path());
+            }
+        }
+        let folder = scratch.join(format!("{prefix}{}", std::process::id()));
         fs::create_dir_all(&folder).map_err(|e| {
             Failure::io("make the folder", &folder, &e, "free some space, or make it writable")
         })?;
