@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use audit::{Audited, Report, audit};
 use course::{Example, Exercise, Misconception, Program, trial};
-use grader::{Build, Compiler, Judge, Kit, Limits};
+use grader::{Build, Judge, Kit};
 
 const SEEDS: u64 = 20;
 
@@ -14,13 +14,7 @@ fn audited(exercise: &Exercise) -> Report {
         Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("crates/audit").to_owned();
     let folder = tempfile::tempdir().expect("a folder");
     let kit = Kit::build(&root, Build::of("worker")).expect("the libraries are built");
-    let judge = Judge {
-        compiler: Compiler { kit, root: folder.path().to_owned(), colour: false },
-        limits: Limits::default(),
-        scratch: folder.path().join("scratch"),
-        memory: None,
-        sandbox: None,
-    };
+    let judge = Judge::in_folder(kit, folder.path());
     audit(&[exercise], &judge, SEEDS, &|_| ()).expect("a report")
 }
 

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use course::Exercise;
 use sandbox::Launcher;
 
+use crate::judgement::Outcome;
 use crate::kit::Kit;
 use crate::rustc::{self, End, Said};
 
@@ -33,11 +34,31 @@ pub(crate) struct Part<'a> {
 #[derive(Debug)]
 pub(crate) enum NotCompiled {
     /// The file is not right Rust, or lacks the function: what rustc prints, and what we add to it.
-    Refused { message: String, note: Option<String> },
+    Refused {
+        message: String,
+        note: Option<String>,
+        /// The places of the files that it says are wrong; none where it does not say.
+        blamed: Vec<usize>,
+    },
     /// The libraries are of another compiler than rustc is now.
     OldKit,
-    /// Rustc does not start, or its files cannot be written.
-    Failed(io::Error),
+    /// Rustc does not start, or its files cannot be written: why.
+    Failed(String),
+}
+
+impl NotCompiled {
+    /// What it means for whoever wrote the files.
+    pub(crate) fn outcome(self) -> Outcome {
+        match self {
+            Self::Refused { message, note, .. } => Outcome::DoesNotCompile { message, note },
+            Self::OldKit => Outcome::GraderError("the libraries are of another version of Rust".to_owned()),
+            Self::Failed(why) => Outcome::GraderError(why),
+        }
+    }
+}
+
+fn failed(error: io::Error) -> NotCompiled {
+    NotCompiled::Failed(format!("rustc: {error}"))
 }
 
 /// The name of the main file.
@@ -52,9 +73,9 @@ impl Compiler {
         folder: &Path,
         launcher: Option<&Launcher>,
     ) -> Result<PathBuf, NotCompiled> {
-        let folder = std::path::absolute(folder).map_err(NotCompiled::Failed)?;
+        let folder = std::path::absolute(folder).map_err(failed)?;
         let worker = folder.join(format!("worker{}", std::env::consts::EXE_SUFFIX));
-        lay_out(parts, &folder).map_err(NotCompiled::Failed)?;
+        lay_out(parts, &folder).map_err(failed)?;
         let mut command = rustc::command(&self.kit, &folder, parts.len(), launcher);
         command
             .args(["--edition", "2024", "--crate-name", "worker_of_a_student", "--crate-type", "bin"])
@@ -80,9 +101,9 @@ impl Compiler {
             .arg("-o")
             .arg(&worker)
             .arg(folder.join(MAIN));
-        match rustc::run(command, parts.len()).map_err(NotCompiled::Failed)? {
+        match rustc::run(command, parts.len()).map_err(failed)? {
             End::Made => Ok(worker),
-            End::Refused(said) => Err(refused(said, parts)),
+            End::Refused(said) => Err(self.refused(said, parts)),
             End::TooLong(time) => Err(stopped(&format!("after {} s of computing", time.as_secs()))),
             End::TooMuch => Err(stopped("when it asked for more memory than any exercise needs")),
             End::Broken => {
@@ -95,14 +116,35 @@ impl Compiler {
     fn remapped(&self, parts: &[Part<'_>], folder: &Path) -> Vec<OsString> {
         // What comes later counts more.
         let mut arguments = vec![remap(folder, Path::new(""))];
-        arguments.extend(parts.iter().enumerate().map(|(at, part)| {
-            let known = part.file.strip_prefix(&self.root).unwrap_or(part.file);
-            let own = PathBuf::from(part.exercise.path());
-            // The last `=` of the argument separates the two.
-            let known = if known.as_os_str().as_encoded_bytes().contains(&b'=') { &own } else { known };
-            remap(&folder.join(copy(at)), known)
-        }));
+        arguments.extend(
+            parts.iter().enumerate().map(|(at, part)| remap(&folder.join(copy(at)), &self.known(part))),
+        );
         arguments
+    }
+
+    /// How a file is called in messages.
+    fn known(&self, part: &Part<'_>) -> PathBuf {
+        let known = part.file.strip_prefix(&self.root).unwrap_or(part.file);
+        // The last `=` of rustc's argument separates the two.
+        let separates = known.as_os_str().as_encoded_bytes().contains(&b'=');
+        if separates { part.exercise.path().into() } else { known.to_owned() }
+    }
+
+    fn refused(&self, said: Said, parts: &[Part<'_>]) -> NotCompiled {
+        if said.codes.iter().any(|code| code == "E0514" || code == "E0460") {
+            return NotCompiled::OldKit;
+        }
+        let at_our_side = said.files.iter().any(|file| file == MAIN);
+        let note = parts.first().filter(|_| at_our_side).map(|Part { exercise, .. }| {
+            format!(
+                "The exercise asks for `pub fn {}{}`: name, parameters and result must be these.",
+                exercise.name,
+                exercise.signature.text.replace(", )", ")")
+            )
+        });
+        let known: Vec<String> =
+            parts.iter().map(|part| self.known(part).to_string_lossy().into_owned()).collect();
+        NotCompiled::Refused { note, blamed: blamed(&said, &known), message: said.text }
     }
 }
 
@@ -116,12 +158,13 @@ fn remap(from: &Path, to: &Path) -> OsString {
 
 /// Copies the files into the folder, and writes the main file: rustc needs nothing else.
 fn lay_out(parts: &[Part<'_>], folder: &Path) -> io::Result<()> {
+    let mut all = Vec::new();
     for (at, part) in parts.iter().enumerate() {
-        fs::write(folder.join(copy(at)), fs::read(part.file)?)?;
+        let text = fs::read(part.file)?;
+        fs::write(folder.join(copy(at)), &text)?;
+        all.extend(text);
     }
-    let texts: Vec<Vec<u8>> =
-        (0..parts.len()).map(|at| fs::read(folder.join(copy(at)))).collect::<Result<_, _>>()?;
-    fs::write(folder.join(MAIN), main_file(parts, course::fingerprint(texts.concat())))
+    fs::write(folder.join(MAIN), main_file(parts, course::fingerprint(all)))
 }
 
 /// The name of a student's file in the folder.
@@ -129,25 +172,19 @@ fn copy(at: usize) -> String {
     format!("student_{at}.rs")
 }
 
-fn refused(said: Said, parts: &[Part<'_>]) -> NotCompiled {
-    if said.codes.iter().any(|code| code == "E0514" || code == "E0460") {
-        return NotCompiled::OldKit;
-    }
-    let at_our_side = said.files.iter().any(|file| file == MAIN);
-    let note = parts.first().filter(|_| at_our_side).map(|Part { exercise, .. }| {
-        format!(
-            "The exercise asks for `pub fn {}{}`: name, parameters and result must be these.",
-            exercise.name,
-            exercise.signature.text.replace(", )", ")")
-        )
-    });
-    NotCompiled::Refused { message: said.text, note }
+/// The places of the files in which errors lie. An error may lie in the main file, which calls them; then those that it speaks of.
+fn blamed(said: &Said, known: &[String]) -> Vec<usize> {
+    let among = |files: &[&[String]]| -> Vec<usize> {
+        (0..known.len()).filter(|at| files.iter().any(|files| files.contains(&known[*at]))).collect()
+    };
+    let wrong = among(&[&said.wrong]);
+    if wrong.is_empty() { among(&[&said.files, &said.mentioned]) } else { wrong }
 }
 
 fn stopped(how: &str) -> NotCompiled {
     let message = format!("The compiler was stopped {how}.\n");
     let note = "Is there a constant, a macro or a type that grows without end?".to_owned();
-    NotCompiled::Refused { message, note: Some(note) }
+    NotCompiled::Refused { message, note: Some(note), blamed: Vec::new() }
 }
 
 /// The main file: each student's file is a module of it. No file knows the name of another's module, or its own: a solution stands by itself.
@@ -166,4 +203,28 @@ fn main_file(parts: &[Part<'_>], secret: u64) -> String {
         "#![allow(unused_imports)]\n{modules}use glam::*;\nuse vocabulary::*;\n\
          fn main() -> std::process::ExitCode {{\n    worker::serve(&[{functions}])\n}}\n"
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn said(wrong: &[&str], files: &[&str], mentioned: &[&str]) -> Vec<usize> {
+        let owned = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();
+        let known: Vec<String> = owned(&["scratch/7.rs", "scratch/8.rs", "scratch/17.rs"]);
+        let said =
+            Said { wrong: owned(wrong), files: owned(files), mentioned: owned(mentioned), ..Said::default() };
+        blamed(&said, &known)
+    }
+
+    #[test]
+    fn an_error_is_that_of_the_file_in_which_it_lies() {
+        assert_eq!(
+            said(&["scratch/7.rs"], &["scratch/7.rs", "scratch/17.rs"], &["scratch/8.rs"]),
+            [0],
+            "a note is no error"
+        );
+        assert_eq!(said(&["main.rs"], &["main.rs"], &["scratch/8.rs"]), [1]);
+        assert_eq!(said(&["main.rs"], &["main.rs"], &[]), [] as [usize; 0]);
+    }
 }

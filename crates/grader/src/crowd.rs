@@ -4,7 +4,7 @@ use std::path::Path;
 
 use course::{Answerer, Exercise};
 
-use crate::compile::Part;
+use crate::compile::{NotCompiled, Part};
 use crate::judge::{Judge, Worker};
 use crate::judgement::Outcome;
 use crate::process::Process;
@@ -19,32 +19,15 @@ pub struct Crowd<'a> {
 }
 
 impl Judge {
-    /// Compiles many files of one exercise together. Rustc names the files that it refuses; the others are compiled again without them, which
-    /// takes a few rounds, since a compiler that gives up early does not name all. Each file's name must be its own.
+    /// Compiles many files of one exercise together, but for those that do not compile.
     ///
     /// # Errors
     /// An [`Outcome`] that is no file's doing: no compiler, no room, or a refusal that names none of the files.
     pub fn crowd<'a>(&'a self, exercise: &'a Exercise, files: &[&Path]) -> Result<Crowd<'a>, Outcome> {
-        let mut left: Vec<usize> = (0..files.len()).collect();
-        while !left.is_empty() {
-            let parts: Vec<Part<'_>> = left.iter().map(|at| Part { exercise, file: files[*at] }).collect();
-            match self.worker(&parts) {
-                Ok(worker) => {
-                    let place = |at| left.iter().position(|it| *it == at).map(|place| place as u32);
-                    let places = (0..files.len()).map(place).collect();
-                    return Ok(Crowd { judge: self, exercise, worker: Some(worker), places });
-                }
-                Err(Outcome::DoesNotCompile { message, note }) => {
-                    let before = left.len();
-                    left.retain(|at| !refuses(&message, files[*at]));
-                    if left.len() == before {
-                        return Err(Outcome::DoesNotCompile { message, note });
-                    }
-                }
-                Err(other) => return Err(other),
-            }
-        }
-        Ok(Crowd { judge: self, exercise, worker: None, places: vec![None; files.len()] })
+        let parts: Vec<Part<'_>> = files.iter().map(|file| Part { exercise, file }).collect();
+        let (worker, left) = self.worker_of_most(&parts).map_err(NotCompiled::outcome)?.unzip();
+        let place = |at| left.as_ref()?.iter().position(|it| *it == at).map(|place| place as u32);
+        Ok(Crowd { judge: self, exercise, worker, places: (0..files.len()).map(place).collect() })
     }
 }
 
@@ -55,35 +38,5 @@ impl Crowd<'_> {
         let place = (*self.places.get(file)?)?;
         let launcher = self.judge.sandbox.as_ref();
         Some(Process::new(&worker.program, place, self.exercise, self.judge.limits, launcher))
-    }
-}
-
-/// Whether rustc's message has an error in this file: the arrow beneath an error's first line points at it.
-fn refuses(message: &str, file: &Path) -> bool {
-    let Some(name) = file.file_name().and_then(|name| name.to_str()) else { return false };
-    let mut in_error = false;
-    message.lines().any(|line| {
-        if line.starts_with("error") {
-            in_error = true;
-        }
-        let Some(place) = line.trim_start().strip_prefix("--> ").filter(|_| in_error) else { return false };
-        in_error = false;
-        let path = place.rsplitn(3, ':').last().unwrap_or(place);
-        Path::new(path).file_name().is_some_and(|it| it == name)
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const MESSAGE: &str = "error[E0308]: mismatched types\n --> target/scratch/7.rs:3:5\n  |\n3 |     1\n  |     ^\n\
-                           note: defined here\n --> target/scratch/8.rs:1:4\n\nerror: aborting due to 1 previous error\n";
-
-    #[test]
-    fn an_error_is_that_of_the_file_that_its_first_arrow_points_at() {
-        assert!(refuses(MESSAGE, Path::new("/elsewhere/7.rs")));
-        assert!(!refuses(MESSAGE, Path::new("/elsewhere/8.rs")), "a note is no error");
-        assert!(!refuses(MESSAGE, Path::new("/elsewhere/17.rs")));
     }
 }

@@ -36,6 +36,17 @@ pub struct Judge {
 }
 
 impl Judge {
+    /// One who does all its work in `folder`, with the usual limits and without a sandbox.
+    pub fn in_folder(kit: Kit, folder: &Path) -> Self {
+        Self {
+            compiler: Compiler { kit, root: folder.to_owned(), colour: false },
+            limits: Limits::default(),
+            scratch: folder.join("scratch"),
+            memory: None,
+            sandbox: None,
+        }
+    }
+
     /// Judges one file by the laws of one exercise. Nothing that the file does makes this fail: what goes wrong is in the
     /// judgement, and what is not the student's doing is [`Outcome::GraderError`].
     pub fn judge(&self, exercise: &Exercise, file: &Path, seed: u64) -> Judgement {
@@ -45,7 +56,7 @@ impl Judge {
         }
         match self.worker(&[Part { exercise, file }]) {
             Ok(worker) => self.examine(exercise, &worker, 0, seed),
-            Err(outcome) => Judgement { outcome, ..blank },
+            Err(error) => Judgement { outcome: error.outcome(), ..blank },
         }
     }
 
@@ -55,7 +66,7 @@ impl Judge {
     /// What is wrong.
     pub fn rehearse(&self) -> Result<(), String> {
         let exercise = course::all().first().ok_or("there is no exercise")?;
-        let worker = self.worker(&[]).map_err(|outcome| match outcome {
+        let worker = self.worker(&[]).map_err(|error| match error.outcome() {
             Outcome::DoesNotCompile { message, .. } => message,
             outcome => outcome.sentence().unwrap_or_default(),
         })?;
@@ -71,65 +82,65 @@ impl Judge {
             .filter(|(_, file)| unreadable(file).is_none())
             .map(|(exercise, file)| Part { exercise, file })
             .collect();
-        let (together, worker) = self.largest_worker(readable);
+        let together = if readable.len() > 1 { self.worker_of_most(&readable).ok().flatten() } else { None };
         let judge = |(exercise, file): &(&Exercise, &Path)| {
-            let place =
-                together.iter().position(|part| part.file == *file && part.exercise.name == exercise.name);
-            match (&worker, place) {
-                (Some(worker), Some(place)) => self.examine(exercise, worker, place as u32, seed),
-                _ => self.judge(exercise, file, seed),
+            let shared = together.as_ref().and_then(|(worker, left)| {
+                let is_this =
+                    |at: &usize| readable[*at].file == *file && readable[*at].exercise.name == exercise.name;
+                Some((worker, left.iter().position(is_this)?))
+            });
+            match shared {
+                Some((worker, place)) => self.examine(exercise, worker, place as u32, seed),
+                None => self.judge(exercise, file, seed),
             }
         };
         files.par_iter().map(judge).collect()
     }
 
-    /// A worker of as many of these files as compile together, and which they are; none where rustc does not say which are wrong.
-    fn largest_worker<'a>(&self, mut parts: Vec<Part<'a>>) -> (Vec<Part<'a>>, Option<Worker>) {
-        while parts.len() > 1 {
-            let message = match self.worker(&parts) {
-                Ok(worker) => return (parts, Some(worker)),
-                Err(Outcome::DoesNotCompile { message, .. }) => message,
-                Err(_) => break,
-            };
-            let all = parts.len();
-            parts.retain(|part| !message.contains(&named(part.exercise)));
-            if parts.len() == all {
-                break;
+    /// A worker of as many of these files as compile together, and the places of those; `None` if none does. Files that rustc says are wrong are left
+    /// out and the others compiled again, which may take a few rounds: a compiler that gives up early does not name all.
+    ///
+    /// # Errors
+    /// [`NotCompiled`]: that is no file's doing, or rustc does not say whose.
+    pub(crate) fn worker_of_most(
+        &self,
+        parts: &[Part<'_>],
+    ) -> Result<Option<(Worker, Vec<usize>)>, NotCompiled> {
+        let mut left: Vec<usize> = (0..parts.len()).collect();
+        while !left.is_empty() {
+            let some: Vec<Part<'_>> = left.iter().map(|at| parts[*at]).collect();
+            match self.worker(&some) {
+                Ok(worker) => return Ok(Some((worker, left))),
+                Err(NotCompiled::Refused { blamed, .. }) if !blamed.is_empty() => {
+                    let places = left.iter().enumerate().filter(|(place, _)| !blamed.contains(place));
+                    left = places.map(|(_, at)| *at).collect();
+                }
+                Err(other) => return Err(other),
             }
         }
-        (Vec::new(), None)
+        Ok(None)
     }
 
     /// Compiles files into one worker.
-    pub(crate) fn worker(&self, parts: &[Part<'_>]) -> Result<Worker, Outcome> {
+    fn worker(&self, parts: &[Part<'_>]) -> Result<Worker, NotCompiled> {
         let folder = fs::create_dir_all(&self.scratch)
             .and_then(|()| tempfile::Builder::new().prefix("worker-").tempdir_in(&self.scratch))
             .map_err(|e| {
-                Outcome::GraderError(format!("no folder for the worker in {}: {e}", self.scratch.display()))
+                NotCompiled::Failed(format!("no folder for the worker in {}: {e}", self.scratch.display()))
             })?;
         let program = self.compile(parts, folder.path())?;
         Ok(Worker { program, _folder: folder })
     }
 
-    fn compile(&self, parts: &[Part<'_>], folder: &Path) -> Result<PathBuf, Outcome> {
-        let refused = |error| match error {
-            NotCompiled::Refused { message, note } => Outcome::DoesNotCompile { message, note },
-            NotCompiled::OldKit => {
-                Outcome::GraderError("the libraries are of another version of Rust".to_owned())
-            }
-            NotCompiled::Failed(e) => Outcome::GraderError(format!("rustc: {e}")),
-        };
+    fn compile(&self, parts: &[Part<'_>], folder: &Path) -> Result<PathBuf, NotCompiled> {
         match (self.compiler.worker(parts, folder, self.sandbox.as_ref()), &self.memory) {
-            (Ok(program), _) => Ok(program),
             (Err(NotCompiled::OldKit), Some((memory, build))) => {
                 Kit::forget(memory);
                 let kit = Kit::remembered(&self.compiler.root, *build, memory)
-                    .map_err(|e| Outcome::GraderError(e.to_string()))?;
-                Compiler { kit, ..self.compiler.clone() }
-                    .worker(parts, folder, self.sandbox.as_ref())
-                    .map_err(refused)
+                    .map_err(|e| NotCompiled::Failed(e.to_string()))?;
+                Compiler { kit, ..self.compiler.clone() }.worker(parts, folder, self.sandbox.as_ref())
             }
-            (Err(error), _) => Err(refused(error)),
+            (result, _) => result,
         }
     }
 
@@ -150,11 +161,6 @@ impl Judge {
             .unwrap_or_else(|fault| Judgement { outcome: Outcome::GraderError(fault.to_string()), ..blank });
         Judgement { printed, ..weighed }
     }
-}
-
-/// How rustc names the file of an exercise, whatever folder it lies in.
-fn named(exercise: &Exercise) -> String {
-    format!("{}.rs:", exercise.name)
 }
 
 /// A compiled worker; its folder goes with it.

@@ -64,6 +64,10 @@ pub(crate) struct Said {
     pub(crate) codes: Vec<String>,
     /// The files that errors point into.
     pub(crate) files: Vec<String>,
+    /// Those of them in which an error lies.
+    pub(crate) wrong: Vec<String>,
+    /// The files that remarks on errors point into: where something is defined, say.
+    pub(crate) mentioned: Vec<String>,
 }
 
 /// A command for rustc: confined to `folder` if there is a launcher.
@@ -161,8 +165,10 @@ fn said(words: &str) -> Said {
     let mut said = Said::default();
     for message in words.lines().filter_map(|line| serde_json::from_str::<Json>(line).ok()) {
         said.codes.extend(message["code"]["code"].as_str().map(str::to_owned));
-        let spans = message["spans"].as_array().into_iter().flatten();
-        said.files.extend(spans.filter_map(|span| Some(written_in(span)["file_name"].as_str()?.to_owned())));
+        said.files.extend(files(&message, |_| true));
+        said.wrong.extend(files(&message, |span| span["is_primary"] == true));
+        let remarks = message["children"].as_array().into_iter().flatten();
+        said.mentioned.extend(remarks.flat_map(|remark| files(remark, |_| true)));
         tell(&mut said.text, message["rendered"].as_str().unwrap_or_default());
     }
     if said.text.is_empty() {
@@ -170,6 +176,12 @@ fn said(words: &str) -> Said {
         tell(&mut said.text, words);
     }
     said
+}
+
+/// The files that a message points into, by those of its spans that are `meant`.
+fn files(message: &Json, meant: impl Fn(&Json) -> bool) -> Vec<String> {
+    let spans = message["spans"].as_array().into_iter().flatten().filter(|span| meant(span));
+    spans.filter_map(|span| Some(written_in(span)["file_name"].as_str()?.to_owned())).collect()
 }
 
 /// Where somebody wrote what an error points to: outside all macros.

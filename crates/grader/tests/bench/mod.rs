@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 use std::time::Duration;
 
 use course::Exercise;
-use grader::{Build, Compiler, Judge, Judgement, Kit, Limits};
+use grader::{Build, Judge, Judgement, Kit};
 use sandbox::Launcher;
 
 /// The line of the submission on which the function's body begins.
@@ -42,11 +42,7 @@ fn launcher() -> Option<Launcher> {
     static LAUNCHER: OnceLock<Option<Launcher>> = OnceLock::new();
     let find = || {
         let launcher = Launcher::at(Path::new(env!("CARGO_BIN_EXE_grader-launcher")));
-        let missing: Vec<&str> = sandbox::doctor(launcher.as_ref())
-            .iter()
-            .filter(|check| check.needed && !check.enforced())
-            .map(|check| check.name)
-            .collect();
+        let missing = sandbox::missing(&sandbox::doctor(launcher.as_ref()));
         if !missing.is_empty() {
             eprintln!("SKIPPED, NOTHING IS CONFINED HERE: this system lacks {}", missing.join(", "));
         }
@@ -70,13 +66,7 @@ impl Bench {
 
     pub(crate) fn new() -> Self {
         let folder = tempfile::tempdir().expect("a folder");
-        let judge = Judge {
-            compiler: Compiler { kit: kit(), root: folder.path().to_owned(), colour: false },
-            limits: Limits::default(),
-            scratch: folder.path().join("scratch"),
-            memory: None,
-            sandbox: None,
-        };
+        let judge = Judge::in_folder(kit(), folder.path());
         Self { folder, judge }
     }
 
