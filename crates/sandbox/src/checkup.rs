@@ -81,6 +81,11 @@ pub fn doctor(launcher: Option<&Launcher>) -> Vec<Check> {
     checks
 }
 
+/// What is needed and not enforced, by name. Nothing may be, or no program is confined.
+pub fn missing(checks: &[Check]) -> Vec<&'static str> {
+    checks.iter().filter(|check| check.needed && !check.enforced()).map(|check| check.name).collect()
+}
+
 /// Tries what the arguments say, in a process that is already confined. Success: it was refused.
 pub(crate) fn attempt(mut arguments: impl Iterator<Item = OsString>) -> ExitCode {
     let what = arguments.next().unwrap_or_default();

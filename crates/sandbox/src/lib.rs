@@ -5,7 +5,7 @@
 //!   then becomes the program that was asked for: nothing of that one runs before.
 //! - [`launched`]: the first thing in the main function of a program that launches.
 //! - [`end`], [`finish`]: end a program with all that it started.
-//! - [`doctor`]: which of this the system enforces, each tried.
+//! - [`doctor`]: which of this the system enforces, each tried; [`missing`]: what of it is needed and not there.
 //!
 //! Linux enforces it, on x86-64 and aarch64. Elsewhere [`Launcher::this_program`] gives nothing and [`doctor`] says so.
 
@@ -21,7 +21,7 @@ mod here;
 mod here;
 mod launcher;
 
-pub use checkup::{Check, Finding, doctor};
+pub use checkup::{Check, Finding, doctor, missing};
 pub use confinement::{Calls, Confinement, Takings, libraries, loaders, programs};
 pub use here::{end, finish};
 pub use launcher::{Launcher, NOT_LAUNCHED, launched};

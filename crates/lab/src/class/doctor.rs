@@ -14,20 +14,19 @@ use crate::speech::{say, warn};
 /// [`Failure`] if standard output takes nothing.
 pub(crate) fn run(asked: &DoctorArgs) -> Result<Outcome, Failure> {
     let checks = sandbox::doctor(Launcher::this_program().as_ref());
-    let missing = checks.iter().filter(|check| check.needed && !check.enforced()).count();
+    let ready = sandbox::missing(&checks).is_empty();
     if asked.json {
         let checks: Vec<_> = checks.iter().map(Check::json).collect();
-        say(&format!("{:#}", json!({ "ready": missing == 0, "checks": checks })))?;
+        say(&format!("{:#}", json!({ "ready": ready, "checks": checks })))?;
     } else {
         say(&table(&checks))?;
-        say(match missing {
-            0 => "\nAll that grading needs is enforced here.",
-            _ => {
-                "\nSomething that grading needs is missing here; `cargo lab grade` refuses unless it is told --unsafe-no-sandbox."
-            }
+        say(if ready {
+            "\nAll that grading needs is enforced here."
+        } else {
+            "\nSomething that grading needs is missing here; `cargo lab grade` refuses unless it is told --unsafe-no-sandbox."
         })?;
     }
-    Ok(if missing == 0 { Outcome::Done } else { Outcome::Unexpected })
+    Ok(if ready { Outcome::Done } else { Outcome::Unexpected })
 }
 
 /// A line for each check; beneath it what to do, where something is missing.
@@ -62,11 +61,8 @@ pub(super) fn launcher(unsafe_no_sandbox: bool) -> Result<Option<Launcher>, Fail
         return Ok(None);
     }
     let launcher = Launcher::this_program();
-    let missing: Vec<&str> = sandbox::doctor(launcher.as_ref())
-        .iter()
-        .filter(|check| check.needed && !check.enforced())
-        .map(|check| check.name)
-        .collect();
+    let checks = sandbox::doctor(launcher.as_ref());
+    let missing = sandbox::missing(&checks);
     if missing.is_empty() {
         return Ok(launcher);
     }
