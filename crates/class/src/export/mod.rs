@@ -11,9 +11,7 @@
 mod archive;
 mod sources;
 
-use std::fs;
-use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 pub use sources::SourcesError;
 
@@ -101,40 +99,6 @@ pub fn codegrade(root: &Path, options: Options) -> Result<Vec<File>, SourcesErro
         File { path: "lightlab.zip".to_owned(), bytes: archive(&sources(root)?), executable: false },
         File::text("README.md", fill(include_str!("codegrade/README.md"))),
     ]))
-}
-
-/// Writes the files into a folder, each beside its place first and then renamed.
-///
-/// # Errors
-/// The path that could not be written, and why.
-pub fn write(files: &[File], folder: &Path) -> Result<(), (PathBuf, io::Error)> {
-    for file in files {
-        let path = folder.join(&file.path);
-        write_one(file, &path).map_err(|error| (path, error))?;
-    }
-    Ok(())
-}
-
-fn write_one(file: &File, path: &Path) -> io::Result<()> {
-    let parent = path.parent().unwrap_or(Path::new("."));
-    fs::create_dir_all(parent)?;
-    let mut beside = tempfile::NamedTempFile::new_in(parent)?;
-    beside.write_all(&file.bytes)?;
-    permit(file, beside.as_file())?;
-    beside.persist(path)?;
-    Ok(())
-}
-
-/// A temporary file is the owner's alone; these are for whoever may read the folder.
-#[cfg(unix)]
-fn permit(file: &File, written: &fs::File) -> io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    written.set_permissions(fs::Permissions::from_mode(if file.executable { 0o755 } else { 0o644 }))
-}
-
-#[cfg(not(unix))]
-fn permit(_: &File, _: &fs::File) -> io::Result<()> {
-    Ok(())
 }
 
 fn sorted(mut files: Vec<File>) -> Vec<File> {

@@ -5,7 +5,7 @@ use std::os::unix::fs::PermissionsExt;
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
-use class::export::{File, write};
+use class::export::File;
 use tempfile::TempDir;
 
 use crate::put;
@@ -18,7 +18,13 @@ pub(crate) struct Place {
 impl Place {
     pub(crate) fn new(files: &[File], under: &str) -> Self {
         let folder = TempDir::new().expect("a folder");
-        write(files, &folder.path().join(under)).expect("the export is written");
+        for file in files {
+            let path = folder.path().join(under).join(&file.path);
+            fs::create_dir_all(path.parent().expect("a folder")).expect("made");
+            fs::write(&path, &file.bytes).expect("written");
+            let mode = if file.executable { 0o755 } else { 0o644 };
+            fs::set_permissions(&path, fs::Permissions::from_mode(mode)).expect("permissions");
+        }
         let place = Self { folder };
         for program in ["apt-get", "curl", "sudo", "rustup"] {
             place.pretend(program, "cat >/dev/null </dev/null; exit 0");

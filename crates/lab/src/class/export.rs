@@ -1,9 +1,13 @@
 //! `cargo lab export`: a folder that a platform takes as its autograder.
 
-use class::export::{self, Options};
+use std::fs::Permissions;
+#[cfg(unix)]
+use std::os::unix::fs::PermissionsExt;
+
+use class::export::{self, File, Options};
 
 use super::args::{ExportArgs, Platform};
-use super::report;
+use super::report::{self, write_with};
 use crate::cli::Outcome;
 use crate::failure::Failure;
 use crate::speech::say;
@@ -24,9 +28,22 @@ pub(crate) fn run(asked: &ExportArgs) -> Result<Outcome, Failure> {
     let files = make(&root, options)
         .map_err(|e| Failure::new(e.to_string(), "run it in a complete copy of the project"))?;
     report::prepare(&asked.folder, false)?;
-    export::write(&files, &asked.folder).map_err(|(path, e)| {
-        Failure::io("write", &path, &e, "free some space, or see that it can be written")
-    })?;
+    for file in &files {
+        let path = asked.folder.join(&file.path);
+        write_with(&path, &file.bytes, permissions(file).as_ref())
+            .map_err(|e| Failure::io("write", &path, &e, "free some space, or see that it can be written"))?;
+    }
     say(&format!("{} says what to do next", asked.folder.join("README.md").display()))?;
     Ok(Outcome::Done)
+}
+
+/// Scripts may be run, whatever the umask is; on a system that knows of such a thing.
+#[cfg(unix)]
+fn permissions(file: &File) -> Option<Permissions> {
+    Some(PermissionsExt::from_mode(if file.executable { 0o755 } else { 0o644 }))
+}
+
+#[cfg(not(unix))]
+fn permissions(_: &File) -> Option<Permissions> {
+    None
 }

@@ -1,6 +1,6 @@
 //! How does a report come onto the disk? File by file, each whole or not at all.
 
-use std::fs;
+use std::fs::{self, Permissions};
 use std::io;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
@@ -29,14 +29,19 @@ pub(super) fn prepare(report: &Path, resume: bool) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes a file whole or not at all. One at a time: Ctrl-C knows of one unfinished file.
+/// Writes a file whole or not at all.
 pub(super) fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    write_with(path, bytes, None)
+}
+
+/// The same with permissions; without, they are those of any new file. One at a time: Ctrl-C knows of one unfinished file.
+pub(super) fn write_with(path: &Path, bytes: &[u8], permissions: Option<&Permissions>) -> io::Result<()> {
     static TURN: Mutex<()> = Mutex::new(());
     let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder)?;
     }
-    Unfinished::beside(path)?.finish(bytes, None, path)
+    Unfinished::beside(path)?.finish(bytes, permissions, path)
 }
 
 /// Writes all files of a report.

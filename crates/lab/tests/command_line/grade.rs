@@ -320,3 +320,24 @@ fn in_a_class_of_two_hundred_everyone_gets_what_they_should() {
     let students: Vec<Student> = honest.chain(hostile).collect();
     everyone_gets_what_they_should(&students);
 }
+
+#[test]
+fn an_autograder_and_the_students_edition_are_written_into_new_folders() {
+    let lecturer = Lecturer::new(&[]);
+    for platform in ["gradescope", "github-classroom", "codegrade"] {
+        lecturer.grades(&format!("export {platform} @{platform}"));
+        assert!(lecturer.path(platform).join("README.md").is_file(), "{platform}");
+    }
+    lecturer.grades("handout @handout");
+    let stub = fs::read_to_string(lecturer.path("handout/exercises/lighting/lambert.rs")).expect("a stub");
+    assert_eq!(stub, course::find("lambert").expect("the exercise").stub);
+    let said = lecturer.says("handout @handout");
+    assert!(said.code == Some(2) && said.err.contains("is not empty"), "{said:?}");
+
+    #[cfg(unix)]
+    for (script, runs) in [("gradescope/autograder/run_autograder", true), ("gradescope/README.md", false)] {
+        use std::os::unix::fs::PermissionsExt;
+        let mode = fs::metadata(lecturer.path(script)).expect("there").permissions().mode();
+        assert_eq!(mode & 0o111 != 0, runs, "{script}");
+    }
+}
