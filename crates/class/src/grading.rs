@@ -7,7 +7,7 @@ use std::panic::{self, AssertUnwindSafe};
 use std::path::{Path, PathBuf};
 
 use course::Exercise;
-use grader::{Judge, Judgement, Outcome as Judged, Token};
+use grader::{Judge, Judgement, Outcome as Judged};
 use rayon::prelude::*;
 
 use crate::intake::{Class, Entry, Taken};
@@ -188,7 +188,6 @@ impl Seeds {
 fn failed(seed: u64, why: &str) -> Vec<Judgement> {
     let of = |exercise: &Exercise| Judgement {
         outcome: Judged::GraderError(why.to_owned()),
-        token: Token::new(exercise, seed),
         ..Judgement::not_started(exercise, seed)
     };
     course::all().iter().map(of).collect()

@@ -67,6 +67,7 @@ fn value_of(function: worker::Function, question: &[Value]) -> Option<Value> {
     }
 }
 
-fn same(a: &Value, b: &Value) -> bool {
+/// Whether two answers are the same but for rounding. NaN is not the same as anything.
+pub fn same(a: &Value, b: &Value) -> bool {
     a.distance(b).is_some_and(|distance| distance <= SAME)
 }

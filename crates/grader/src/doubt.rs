@@ -6,14 +6,11 @@
 use std::slice;
 
 use course::trial::Examination;
-use course::{Answerer, Exercise, Fault, InProcess, Reply, Value, values};
+use course::{Answerer, Exercise, Fault, InProcess, Reply, Value, diagnosis, values};
 use worker::identical;
 
 /// So many of the answered calls are repeated at most.
 const REPEATED: usize = 200;
-
-/// Two answers to the same call may be this far apart, relative for numbers above 1: sums in the order of a hash table differ by their rounding.
-const SAME: f32 = 1e-3;
 
 /// A call that was answered in two ways.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,10 +56,7 @@ pub(crate) fn is_constant(exercise: &Exercise, examination: &Examination) -> boo
     right.iter().flatten().any(|answer| right.iter().flatten().any(|other| !same(answer, other)))
 }
 
+/// The same but for rounding (sums in the order of a hash table differ by that), or the same NaN.
 fn same(a: &Value, b: &Value) -> bool {
-    alike(a, b) || a.distance(b).is_some_and(|distance| distance <= SAME)
-}
-
-fn alike(a: &Value, b: &Value) -> bool {
-    identical(slice::from_ref(a), slice::from_ref(b))
+    identical(slice::from_ref(a), slice::from_ref(b)) || diagnosis::same(a, b)
 }

@@ -88,19 +88,18 @@ fn not_among_submissions(asked: &GradeArgs) -> Result<(), Failure> {
 
 fn seeds(asked: &GradeArgs) -> Seeds {
     let begun = if asked.resume { read_run(&asked.out) } else { None };
-    let goes_on = begun.is_some();
-    let begun = begun.unwrap_or(Seeds { seed: SEED, per_student: false });
-    Seeds {
-        seed: match asked.seed {
-            None => begun.seed,
-            // The same command again goes on with the number that was drawn.
-            Some(Seed::Fresh) if goes_on => begun.seed,
-            Some(Seed::Given(seed)) => seed,
-            // Of 48 bits, so that any program that reads the report reads the same number.
-            Some(Seed::Fresh) => RandomState::new().hash_one(std::process::id()) >> 16,
-        },
-        per_student: asked.seeds.map_or(begun.per_student, |which| which == Which::PerStudent),
-    }
+    let seed = match (asked.seed, &begun) {
+        (Some(Seed::Given(seed)), _) => seed,
+        // The same command again goes on with the number that was drawn. It has 48 bits, so that any program that reads the report reads the same.
+        (Some(Seed::Fresh), None) => RandomState::new().hash_one(std::process::id()) >> 16,
+        (_, Some(begun)) => begun.seed,
+        (None, None) => SEED,
+    };
+    let per_student = match asked.seeds {
+        Some(which) => which == Which::PerStudent,
+        None => begun.is_some_and(|begun| begun.per_student),
+    };
+    Seeds { seed, per_student }
 }
 
 fn threads(jobs: Option<usize>) -> Result<rayon::ThreadPool, Failure> {

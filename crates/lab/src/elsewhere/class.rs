@@ -15,13 +15,13 @@ pub(crate) enum Command {
     /// Put the parts of a partitioned grading together
     #[command(disable_help_flag = true)]
     Merge(Words),
-    /// Write the students' edition: tasks, without solutions
+    /// Write the students' edition: tasks, stubs and worked examples, without solutions
     #[command(disable_help_flag = true)]
     Handout(Words),
     /// Write an autograder for a course platform
     #[command(disable_help_flag = true)]
     Export(Words),
-    /// Put the grader itself on trial: does every law catch what it should?
+    /// Audit the exercises' laws: right programs must be accepted, wrong ones rejected
     #[command(disable_help_flag = true)]
     Audit(Words),
     /// Say what this system can keep from students' code
