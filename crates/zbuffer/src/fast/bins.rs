@@ -3,12 +3,13 @@
 use std::ops::Range;
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Level, Simd, dispatch, f32x4};
+use fearless_simd::{Level, Simd, dispatch, f32x8};
 use glam::Vec4;
 
+use crate::fast::eight::{Eight, Indices, centers, is_small};
 use crate::fast::projected::{Faces, Number, Part};
-use crate::fast::vertices::{ToScreen, Vertex, is_outside};
-use crate::screen::{SUBPIXELS, ScreenTriangle};
+use crate::fast::vertices::{ToScreen, Vertex};
+use crate::screen::ScreenTriangle;
 
 /// How many rows a thread draws at a time: few, so that their depths stay near the processor, and that they share out evenly.
 pub const BAND_ROWS: u32 = 16;
@@ -19,7 +20,7 @@ pub(crate) struct Chunk {
     /// Which part they belong to.
     pub(crate) part: usize,
     kept: Vec<Kept>,
-    /// `numbers[starts[b]..starts[b + 1]]` are the triangles in band b.
+    /// `numbers[starts[k]..starts[k + 1]]` are the triangles in bin k: 2b for the small ones of band b, 2b + 1 for the others.
     starts: Vec<u32>,
     numbers: Vec<Number>,
     /// What clipping left of those that had to be clipped.
@@ -32,6 +33,7 @@ struct Kept {
     number: Number,
     first_band: u16,
     last_band: u16,
+    is_large: bool,
 }
 
 /// A part of a clipped triangle.
@@ -58,10 +60,18 @@ pub(crate) struct Sorting<'a> {
 }
 
 impl Chunk {
-    /// The triangles in band `b`, in drawing order.
-    pub(crate) fn in_band(&self, b: u32) -> &[Number] {
-        let (start, end) = (self.starts[b as usize], self.starts[b as usize + 1]);
-        &self.numbers[start as usize..end as usize]
+    /// The small triangles in band `b`.
+    pub(crate) fn small(&self, b: u32) -> &[Number] {
+        self.bin(2 * b as usize)
+    }
+
+    /// The others.
+    pub(crate) fn large(&self, b: u32) -> &[Number] {
+        self.bin(2 * b as usize + 1)
+    }
+
+    fn bin(&self, k: usize) -> &[Number] {
+        &self.numbers[self.starts[k] as usize..self.starts[k + 1] as usize]
     }
 
     /// Sorts `triangles`, a range of the part's.
@@ -70,22 +80,64 @@ impl Chunk {
         self.kept.clear();
         self.pieces.clear();
         dispatch!(Level::new(), simd => self.sort_out(simd, sorting, triangles));
-        self.by_bands(sorting.size.1.div_ceil(BAND_ROWS));
+        self.into_bins(2 * sorting.size.1.div_ceil(BAND_ROWS) as usize);
     }
 
     #[inline(always)]
     fn sort_out<S: Simd>(&mut self, simd: S, sorting: &Sorting, triangles: Range<usize>) {
-        let limits = Limits::new(simd, sorting.size);
         let first = sorting.first + triangles.start as u32;
-        for (number, corners) in (first..).zip(&sorting.part.mesh.triangles()[triangles]) {
-            let [a, b, c] = corners.map(|index| &sorting.vertices[index as usize]);
-            if is_outside(a) || is_outside(b) || is_outside(c) {
-                self.clip(sorting, number, corners);
-            } else if sorting.shows(doubled_area(a, b, c))
-                && let Some((top, bottom)) = limits.rows(simd, a, b, c)
-            {
-                let band = |row: u32| (row / BAND_ROWS) as u16;
-                self.kept.push(Kept { number, first_band: band(top), last_band: band(bottom) });
+        let triangles = &sorting.part.mesh.triangles()[triangles];
+        for (start, eight) in (first..).step_by(8).zip(triangles.chunks(8)) {
+            // The last triangle stands in for those that are missing, and is dropped again below.
+            let mut indices = [eight[eight.len() - 1]; 8];
+            indices[..eight.len()].copy_from_slice(eight);
+            let present = (1_u64 << eight.len()) - 1;
+            self.sort_eight(simd, sorting, start, &indices, present);
+        }
+    }
+
+    /// Sorts triangles `start`, `start + 1`, …, as far as the bits of `present` say.
+    #[inline(always)]
+    fn sort_eight<S: Simd>(
+        &mut self,
+        simd: S,
+        sorting: &Sorting,
+        start: Number,
+        indices: &Indices,
+        present: u64,
+    ) {
+        let eight = Eight::gather(simd, sorting.vertices, indices);
+        let (x, y) = (eight.extent(0), eight.extent(1));
+        let columns = centers(simd, x, sorting.size.0);
+        let rows = centers(simd, y, sorting.size.1);
+        let has_center = columns[0].simd_le(columns[1]) & rows[0].simd_le(rows[1]);
+        let (area, zero) = (eight.doubled_area(), f32x8::splat(simd, 0.0));
+        let shows = match (sorting.faces, sorting.is_mirrored) {
+            (Faces::Both, _) => area.simd_ne(zero),
+            (Faces::Front, false) => area.simd_gt(zero),
+            (Faces::Front, true) => area.simd_lt(zero),
+        };
+        let is_small = is_small(simd, x, y);
+        let outside = eight.is_outside().to_bitmask() & present;
+        let certain = (has_center & is_small & shows).to_bitmask() & present & !outside;
+        let large = (has_center & !is_small).to_bitmask() & present & !outside;
+        let (top, bottom) = (rows[1].to_array(), rows[0].to_array());
+        let mut left = certain | large | outside;
+        while left != 0 {
+            let k = left.trailing_zeros() as usize;
+            left &= left - 1;
+            let number = start + k as u32;
+            if outside >> k & 1 == 1 {
+                self.clip(sorting, number, &indices[k]);
+            } else if certain >> k & 1 == 1 || sorting.shows(doubled_area_of(sorting.vertices, &indices[k])) {
+                let band = |j: f32| ((sorting.size.1 - 1 - j as u32) / BAND_ROWS) as u16;
+                let is_large = large >> k & 1 == 1;
+                self.kept.push(Kept {
+                    number,
+                    first_band: band(top[k]),
+                    last_band: band(bottom[k]),
+                    is_large,
+                });
             }
         }
     }
@@ -107,30 +159,34 @@ impl Chunk {
         self.pieces.extend(pieces.map(|on_screen| Piece { number, on_screen }));
     }
 
-    /// Counts the triangles of each band, then puts each into its place: twice over the list, without a list a band.
-    fn by_bands(&mut self, bands: u32) {
+    /// Counts the triangles of each bin, then puts each into its place: twice over the list, without a list a bin.
+    fn into_bins(&mut self, bins: usize) {
         self.starts.clear();
-        self.starts.resize(bands as usize + 1, 0);
-        for kept in &self.kept {
-            for band in kept.first_band..=kept.last_band {
-                self.starts[usize::from(band) + 1] += 1;
-            }
+        self.starts.resize(bins + 1, 0);
+        for bin in self.kept.iter().flat_map(Kept::bins) {
+            self.starts[bin + 1] += 1;
         }
-        for band in 0..bands as usize {
-            self.starts[band + 1] += self.starts[band];
+        for bin in 0..bins {
+            self.starts[bin + 1] += self.starts[bin];
         }
         self.numbers.clear();
-        self.numbers.resize(self.starts[bands as usize] as usize, 0);
+        self.numbers.resize(self.starts[bins] as usize, 0);
         for kept in &self.kept {
-            for band in kept.first_band..=kept.last_band {
-                let place = &mut self.starts[usize::from(band)];
-                self.numbers[*place as usize] = kept.number;
-                *place += 1;
+            for bin in kept.bins() {
+                self.numbers[self.starts[bin] as usize] = kept.number;
+                self.starts[bin] += 1;
             }
         }
         // Each start has moved to its end, which is the next one's start.
         self.starts.rotate_right(1);
         self.starts[0] = 0;
+    }
+}
+
+impl Kept {
+    fn bins(&self) -> impl Iterator<Item = usize> + use<> {
+        let is_large = usize::from(self.is_large);
+        (self.first_band..=self.last_band).map(move |band| 2 * usize::from(band) + is_large)
     }
 }
 
@@ -148,8 +204,19 @@ impl Sorting<'_> {
 /// Twice the signed area in 1/256 pixels: exact, since products of differences stay below 2⁵².
 #[inline(always)]
 pub(crate) fn doubled_area(a: &Vertex, b: &Vertex, c: &Vertex) -> f64 {
-    let [ax, ay, bx, by, cx, cy] = [a[0], a[1], b[0], b[1], c[0], c[1]].map(f64::from);
+    let ([ax, ay], [bx, by], [cx, cy]) = (place(a), place(b), place(c));
     (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+}
+
+fn doubled_area_of(vertices: &[Vertex], corners: &[u32; 3]) -> f64 {
+    let [a, b, c] = corners.map(|index| &vertices[index as usize]);
+    doubled_area(a, b, c)
+}
+
+/// x and y, in f64.
+#[inline(always)]
+pub(crate) fn place(vertex: &Vertex) -> [f64; 2] {
+    [f64::from(vertex[0]), f64::from(vertex[1])]
 }
 
 /// Whether all corners lie beyond the same side of what is seen, so that nothing can be left.
@@ -163,39 +230,4 @@ fn is_beside(clip: &[Vec4; 3]) -> bool {
         || all(|p| -p.x > -p.w && p.w < 0.0)
         || all(|p| p.y > -p.w && p.w < 0.0)
         || all(|p| -p.y > -p.w && p.w < 0.0)
-}
-
-/// The screen as the sorting sees it.
-struct Limits<S: Simd> {
-    least: f32x4<S>,
-    greatest: f32x4<S>,
-    highest_row: u32,
-}
-
-impl<S: Simd> Limits<S> {
-    #[inline(always)]
-    fn new(simd: S, (width, height): (u32, u32)) -> Self {
-        let greatest = [width as f32 - 1.0, height as f32 - 1.0, f32::INFINITY, f32::INFINITY];
-        let least = [0.0, 0.0, f32::NEG_INFINITY, f32::NEG_INFINITY];
-        Self {
-            least: f32x4::load_array(simd, least),
-            greatest: f32x4::load_array(simd, greatest),
-            highest_row: height - 1,
-        }
-    }
-
-    /// The first and the last row, from the top, with pixel centres in the triangle's box; `None` if there is no centre on
-    /// the screen.
-    #[inline(always)]
-    fn rows(&self, simd: S, a: &Vertex, b: &Vertex, c: &Vertex) -> Option<(u32, u32)> {
-        let [a, b, c] = [a, b, c].map(|v| f32x4::load_array_ref(simd, v));
-        let in_pixels = f32x4::splat(simd, 1.0 / SUBPIXELS as f32);
-        let first = (a.min(b).min(c) * in_pixels).ceil().max(self.least);
-        let last = (a.max(b).max(c) * in_pixels).floor().min(self.greatest);
-        // Lanes 0 and 1 are x and y.
-        if first.simd_gt(last).to_bitmask() & 0b11 != 0 {
-            return None;
-        }
-        Some((self.highest_row - last[1] as u32, self.highest_row - first[1] as u32))
-    }
 }

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use transforms::Pipeline;
 
 use crate::clip::Viewport;
-use crate::fast::bins::{BAND_ROWS, Chunk, Sorting};
+use crate::fast::bins::{BAND_ROWS, Chunk, Piece, Sorting};
 use crate::fast::vertices::{ToScreen, Vertex};
 
 /// Which sides of triangles are drawn. The front is the side from which the corners run anticlockwise.
@@ -44,11 +44,18 @@ const VERTICES_IN_A_TASK: usize = 1 << 13;
 #[derive(Debug, Default)]
 pub struct Projected {
     pub(crate) vertices: Vec<Vertex>,
-    /// Where each part's vertices and triangles begin.
-    firsts: Vec<(usize, Number)>,
+    /// Where each part's vertices, triangles and chunks begin.
+    firsts: Vec<First>,
     chunks: Vec<Chunk>,
     pub(crate) size: (u32, u32),
-    triangle_count: u32,
+}
+
+/// Where something of a part begins, counted through all parts.
+#[derive(Clone, Copy, Debug)]
+struct First {
+    vertex: usize,
+    number: Number,
+    chunk: usize,
 }
 
 impl Projected {
@@ -80,30 +87,30 @@ impl Projected {
     /// Counts vertices and triangles.
     fn place(&mut self, parts: &[Part]) {
         self.firsts.clear();
-        let (mut vertices, mut triangles) = (0, 0_u64);
+        let (mut vertices, mut triangles, mut chunks) = (0, 0_u64, 0);
         for part in parts {
-            self.firsts.push((vertices, triangles as Number));
+            self.firsts.push(First { vertex: vertices, number: triangles as Number, chunk: chunks });
             vertices += part.mesh.positions().len();
             triangles += part.mesh.len() as u64;
+            chunks += part.mesh.len().div_ceil(IN_A_CHUNK);
         }
         assert!(triangles < u64::from(NONE), "{triangles} triangles cannot be numbered");
-        self.triangle_count = triangles as u32;
         self.vertices.resize(vertices, [0.0; 4]);
     }
 
     fn sort(&mut self, parts: &[Part], ways: &[ToScreen], faces: Faces) {
         let mut tasks = Vec::new();
         for (index, part) in parts.iter().enumerate() {
-            let (first_vertex, first) = self.firsts[index];
+            let First { vertex, number, .. } = self.firsts[index];
             let sorting = Sorting {
                 index,
                 part,
-                vertices: &self.vertices[first_vertex..first_vertex + part.mesh.positions().len()],
+                vertices: &self.vertices[vertex..vertex + part.mesh.positions().len()],
                 to_screen: ways[index],
                 size: self.size,
                 faces,
                 is_mirrored: part.world_from_object.determinant() < 0.0,
-                first,
+                first: number,
             };
             let starts = (0..part.mesh.len()).step_by(IN_A_CHUNK);
             tasks.extend(starts.map(|start| (sorting, start..part.mesh.len().min(start + IN_A_CHUNK))));
@@ -126,19 +133,52 @@ impl Projected {
     /// The vertices of triangle `k` of a part on the screen.
     #[inline(always)]
     pub(crate) fn corners(&self, part: usize, mesh: &Mesh, k: usize) -> [&Vertex; 3] {
-        let own = &self.vertices[self.firsts[part].0..];
-        mesh.triangles()[k].map(|index| &own[index as usize])
+        let own = self.vertices_of(part);
+        let [a, b, c] = mesh.triangles()[k];
+        [&own[a as usize], &own[b as usize], &own[c as usize]]
     }
 
-    /// The part of a triangle, and its number there.
+    /// The vertices of a part, and perhaps some after them.
+    #[inline(always)]
+    pub(crate) fn vertices_of(&self, part: usize) -> &[Vertex] {
+        &self.vertices[self.firsts[part].vertex..]
+    }
+
+    /// The part of a triangle.
+    ///
+    /// # Panics
+    /// If there are no parts.
     #[must_use]
-    pub fn part_of(&self, number: Number) -> (usize, usize) {
-        let part = self.firsts.partition_point(|(_, first)| *first <= number) - 1;
-        (part, (number - self.firsts[part].1) as usize)
+    pub fn part_of(&self, number: Number) -> usize {
+        // Parts without triangles begin where the next one does.
+        self.firsts.partition_point(|first| first.number <= number) - 1
+    }
+
+    /// Where the vertices of a part begin, counted through the positions of all parts.
+    ///
+    /// # Panics
+    /// If there is no such part.
+    #[must_use]
+    pub fn first_vertex(&self, part: usize) -> usize {
+        self.firsts[part].vertex
     }
 
     /// The number of a part's first triangle.
-    pub(crate) fn first_number(&self, part: usize) -> Number {
-        self.firsts[part].1
+    ///
+    /// # Panics
+    /// If there is no such part.
+    #[must_use]
+    pub fn first_number(&self, part: usize) -> Number {
+        self.firsts[part].number
+    }
+
+    /// What clipping left of a triangle.
+    pub(crate) fn pieces_of(&self, number: Number) -> &[Piece] {
+        let first = self.firsts[self.part_of(number)];
+        let chunk = first.chunk + (number - first.number) as usize / IN_A_CHUNK;
+        let pieces = &self.chunks[chunk].pieces;
+        let start = pieces.partition_point(|piece| piece.number < number);
+        let end = pieces.partition_point(|piece| piece.number <= number);
+        &pieces[start..end]
     }
 }

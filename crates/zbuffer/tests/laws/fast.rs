@@ -78,8 +78,7 @@ fn fast(mesh: &Mesh, maps: &[Mat4], faces: Faces, pipeline: &Pipeline) -> Vec<Se
     for b in 0..projected.bands() {
         band.draw(b, &projected, &parts);
         for row in band.rows() {
-            let pixels = band.numbers(row).iter().zip(band.depths(row));
-            seen.extend(pixels.map(|(number, z)| (*number != NONE as i32).then_some((*number as u32, *z))));
+            seen.extend(band.row(row).map(|(number, z)| (number != NONE).then_some((number, z))));
         }
     }
     seen
