@@ -68,6 +68,22 @@ impl Band {
         pixels.step_by(2).take(self.width as usize).map(|(number, z)| (*number as Number, *z))
     }
 
+    /// What up to eight pixels of a row show, from column `first` on; [`NONE`] where there are fewer than eight.
+    ///
+    /// # Panics
+    /// If the pixels do not lie in the band.
+    #[inline(always)]
+    #[must_use]
+    pub fn eight_numbers(&self, row: u32, first: u32, count: usize) -> [Number; 8] {
+        let start = self.pixel(first, row);
+        let mut eight = [NONE; 8];
+        let pixels = self.numbers[start..].iter().step_by(2);
+        for (to, number) in eight.iter_mut().zip(pixels).take(count) {
+            *to = *number as Number;
+        }
+        eight
+    }
+
     /// The place of a pixel in memory.
     #[inline(always)]
     pub(crate) fn pixel(&self, i: u32, row: u32) -> usize {
