@@ -87,7 +87,8 @@ pub fn rasterize_rows(
 }
 
 /// A triangle made ready for its pixels: anticlockwise, with its edges and what is interpolated.
-struct Setup {
+#[derive(Debug)]
+pub(crate) struct Setup {
     /// The edges opposite to the vertices a, b, c: bc, ca, ab.
     edges: [Edge; 3],
     lowest: I64Vec2,
@@ -104,7 +105,7 @@ struct Setup {
 
 impl Setup {
     /// `None` if the triangle covers nothing.
-    fn new(triangle: &ScreenTriangle) -> Option<Self> {
+    pub(crate) fn new(triangle: &ScreenTriangle) -> Option<Self> {
         let [a, b, c] = anticlockwise(triangle)?;
         let corners = [a, b, c].map(|v| v.snapped());
         let [p_a, p_b, p_c] = corners;
@@ -167,6 +168,12 @@ impl Setup {
         start + steps.start as u32..start + end as u32
     }
 
+    /// What the triangle leaves in pixel (i, j); `None` if it does not cover it.
+    pub(crate) fn fragment_at(&self, i: u32, j: u32) -> Option<Fragment> {
+        let edges = self.edges_at(i, j);
+        self.covers(edges).then(|| self.fragment(i, j, edges))
+    }
+
     /// What the triangle leaves in pixel (i, j), from the exact edge functions at its centre.
     ///
     /// Both rasterizers call it with the same whole numbers: that is why their fragments are the same.
@@ -185,6 +192,7 @@ impl Setup {
 }
 
 /// A directed edge of an anticlockwise triangle: the inside lies to its left.
+#[derive(Debug)]
 struct Edge {
     from: I64Vec2,
     along: I64Vec2,

@@ -29,6 +29,8 @@ pub(crate) struct Attributes {
     pub(crate) lit: Vec<Lit>,
     /// Where each object's normals begin.
     pub(crate) first_normal: Vec<u32>,
+    /// Whether an object's map mirrors.
+    pub(crate) is_mirrored: Vec<bool>,
 }
 
 /// Where the colours at the corners come from.
@@ -44,6 +46,8 @@ impl Attributes {
     /// Works out what `shading` needs.
     pub(crate) fn prepare(&mut self, world: &World, shading: Shading, lighting: &Lighting) {
         let objects = world.objects;
+        self.is_mirrored.clear();
+        self.is_mirrored.extend(objects.iter().map(|object| object.world_from_object.determinant() < 0.0));
         self.first_normal.clear();
         let mut count = 0;
         for object in objects {

@@ -2,8 +2,7 @@
 //! for a while.
 
 use canvas::Rgb;
-
-use zbuffer::fast::{NONE, Number};
+use zbuffer::fast::{NONE, Number, Singly};
 
 use crate::fast::rows::Coloring;
 use crate::mode::{flat_color, gouraud_colors};
@@ -13,6 +12,7 @@ use crate::{Facet, Object, Shading, Surface};
 #[derive(Debug)]
 pub(crate) struct Known {
     colors: Vec<(Number, [Rgb; 3])>,
+    pub(crate) singly: Singly,
 }
 
 /// How many are kept: as many as a band of rows shows of most meshes.
@@ -20,7 +20,7 @@ const PLACES: usize = 1 << 10;
 
 impl Default for Known {
     fn default() -> Self {
-        Self { colors: vec![(NONE, [Rgb::ZERO; 3]); PLACES] }
+        Self { colors: vec![(NONE, [Rgb::ZERO; 3]); PLACES], singly: Singly::default() }
     }
 }
 
@@ -47,8 +47,7 @@ impl Known {
 
     /// The triangle made ready as the slide's loop does.
     pub(crate) fn surface<'a>(
-        &mut self,
-        _number: Number,
+        &self,
         object: &Object,
         triangle: usize,
         coloring: &'a Coloring,

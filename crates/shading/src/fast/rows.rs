@@ -3,14 +3,13 @@
 use canvas::{Rgb, row_from_j};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch, f32x8, mask32x8};
-use geometry::Barycentric;
 use lighting::Material;
 use lighting::fast::{Points, Vectors, lit};
-use zbuffer::fast::{Band, Indices, NONE, Number, Projected, gather_columns};
+use zbuffer::fast::{Band, Corners, Number, Numbers, Projected, Weights, gather_columns};
 
 use crate::fast::attributes::{Attributes, Lit};
 use crate::fast::known::Known;
-use crate::{Lighting, Shading, World};
+use crate::{Lighting, Object, Shading, World};
 
 /// All that a row's colours depend on.
 pub(crate) struct Coloring<'a> {
@@ -25,18 +24,25 @@ pub(crate) struct Coloring<'a> {
     pub(crate) height: u32,
 }
 
-/// Eight neighbouring pixels of a row.
-struct Eight {
-    /// What they show; pixels of the background show what some other one of the eight does, and are not coloured.
-    numbers: [Number; 8],
-    is_there: u64,
-    /// Their objects and their triangles there.
-    objects: [usize; 8],
-    triangles: [usize; 8],
-    /// Of the corners, counted through the positions of all objects.
-    corners: Indices,
+/// Eight neighbouring pixels of a row that show one object.
+struct Eight<'a> {
+    numbers: Numbers,
+    object: &'a Object<'a>,
+    /// The object's index, and the number of its first triangle.
+    index: usize,
+    first: Number,
+    /// Of the pixels' triangles, counted through the positions of all objects.
+    corners: Corners,
     i: u32,
     j: u32,
+}
+
+impl Eight<'_> {
+    /// The triangle of pixel `k` in its object.
+    #[inline(always)]
+    fn triangle(&self, k: usize) -> usize {
+        (self.numbers.all[k] - self.first) as usize
+    }
 }
 
 impl Coloring<'_> {
@@ -48,99 +54,142 @@ impl Coloring<'_> {
     #[inline(always)]
     fn color_rows<S: Simd>(&self, simd: S, band: &Band, known: &mut Known, pixels: &mut [Rgb]) {
         let width = pixels.len() / band.rows().len();
+        let mut rest = [Rgb::ZERO; 8];
         for (row, pixels) in band.rows().zip(pixels.chunks_exact_mut(width)) {
             let j = row_from_j(row, self.height);
-            for (start, eight) in (0..).step_by(8).zip(pixels.chunks_mut(8)) {
-                let numbers = band.eight_numbers(row, start, eight.len());
-                match self.eight(numbers, start, j) {
-                    Some(at) => self.color_eight(simd, &at, known, eight),
-                    None => eight.fill(self.world.background),
-                }
+            let mut i = 0;
+            let (eights, last) = pixels.as_chunks_mut::<8>();
+            for eight in eights {
+                self.color_eight(simd, band, known, (row, i, j), eight);
+                i += 8;
+            }
+            if !last.is_empty() {
+                self.color_eight(simd, band, known, (row, i, j), &mut rest);
+                last.copy_from_slice(&rest[..last.len()]);
             }
         }
     }
 
-    /// Looks up what eight pixels show; `None` if that is the background only.
     #[inline(always)]
-    fn eight(&self, mut numbers: [Number; 8], i: u32, j: u32) -> Option<Eight> {
-        let mut is_there = 0;
-        let mut some = NONE;
-        for (k, number) in numbers.iter().enumerate() {
-            if *number != NONE {
-                is_there |= 1 << k;
-                some = *number;
-            }
+    fn color_eight<S: Simd>(
+        &self,
+        simd: S,
+        band: &Band,
+        known: &mut Known,
+        (row, i, j): (u32, u32, u32),
+        pixels: &mut [Rgb; 8],
+    ) {
+        let numbers = band.eight(simd, row, i);
+        if numbers.is_there == 0 {
+            *pixels = [self.world.background; 8];
+            return;
         }
-        if is_there == 0 {
-            return None;
+        let index = self.projected.part_of(numbers.least);
+        let object = &self.world.objects[index];
+        let first = self.projected.first_number(index);
+        if numbers.greatest - first >= object.mesh.len() as u32 {
+            self.color_one_by_one(&numbers, (i, j), known, pixels);
+            return;
         }
-        let (mut objects, mut triangles, mut corners) = ([0; 8], [0; 8], [[0; 3]; 8]);
-        let mut object = usize::MAX;
-        let (mut first, mut end, mut first_vertex) = (0, 0, 0);
-        for k in 0..8 {
-            if numbers[k] == NONE {
-                numbers[k] = some;
-            }
-            // Neighbours mostly show the same object.
-            if object == usize::MAX || numbers[k] < first || end <= numbers[k] {
-                object = self.projected.part_of(numbers[k]);
-                first = self.projected.first_number(object);
-                end = first + self.world.objects[object].mesh.len() as u32;
-                first_vertex = self.projected.first_vertex(object) as u32;
-            }
-            objects[k] = object;
-            triangles[k] = (numbers[k] - first) as usize;
-            let [a, b, c] = self.world.objects[object].mesh.triangles()[triangles[k]];
-            corners[k] = [a + first_vertex, b + first_vertex, c + first_vertex];
+        let start = self.projected.first_vertex(index) as u32;
+        let at = Eight {
+            numbers,
+            object,
+            index,
+            first,
+            corners: corners(object.mesh.triangles(), &numbers, first, start),
+            i,
+            j,
+        };
+        let mut weights = self.projected.weights(simd, &at.corners, i, j);
+        if weights.is_clipped.any_true() {
+            self.weigh_singly(&at, known, &mut weights);
         }
-        Some(Eight { numbers, is_there, objects, triangles, corners, i, j })
-    }
-
-    #[inline(always)]
-    fn color_eight<S: Simd>(&self, simd: S, at: &Eight, known: &mut Known, pixels: &mut [Rgb]) {
-        let weights = self.projected.weights(simd, &at.corners, at.i, at.j);
-        let mut plainly = weights.is_clipped;
+        let mut plainly = mask32x8::splat(simd, false);
         let color = match self.shading {
-            Shading::Flat => self.flat(simd, at, known),
-            Shading::Gouraud => self.gouraud(simd, at, known, &weights.columns, &mut plainly),
-            Shading::Phong => self.phong(simd, at, &weights.columns, &mut plainly),
+            Shading::Flat => self.flat(simd, &at, known),
+            Shading::Gouraud => self.gouraud(simd, &at, known, &weights.columns, &mut plainly),
+            Shading::Phong => self.phong(simd, &at, &weights.columns, &mut plainly),
         };
-        for (k, pixel) in pixels.iter_mut().enumerate() {
-            *pixel = if at.is_there >> k & 1 == 1 { color.get(k) } else { self.world.background };
+        let (r, g, b) = (color.x.to_array(), color.y.to_array(), color.z.to_array());
+        if numbers.is_there == u8::MAX {
+            for k in 0..8 {
+                pixels[k] = Rgb::new(r[k], g[k], b[k]);
+            }
+        } else {
+            for k in 0..8 {
+                let is_there = numbers.is_there >> k & 1 == 1;
+                pixels[k] = if is_there { Rgb::new(r[k], g[k], b[k]) } else { self.world.background };
+            }
         }
-        let mut plainly = plainly.to_bitmask() & at.is_there;
-        if self.shading == Shading::Flat {
-            plainly = 0;
-        }
-        while plainly != 0 {
-            let k = plainly.trailing_zeros() as usize;
-            plainly &= plainly - 1;
-            let weights = weights.columns.map(|column| column[k]);
-            pixels[k] = self.plain_color(at, k, weights, known);
+        let plainly = plainly.to_bitmask() as u8 & numbers.is_there;
+        if plainly != 0 && self.shading != Shading::Flat {
+            self.color_plainly(&at, plainly, known, pixels);
         }
     }
 
-    /// The slide's colour of pixel k, for the few that are special: clipped, edge-on, without normals.
+    /// The weights of those pixels whose triangle was clipped.
+    #[inline(always)]
+    fn weigh_singly<S: Simd>(&self, at: &Eight, known: &mut Known, weights: &mut Weights<S>) {
+        for k in 0..8 {
+            if at.numbers.is_there >> k & 1 == 1 && weights.is_clipped.test(k) {
+                let pixel = (at.i + k as u32, at.j);
+                let own = known.singly.weights(self.projected, at.object.mesh, at.numbers.all[k], pixel);
+                weights.columns[0][k] = own.alpha;
+                weights.columns[1][k] = own.beta;
+                weights.columns[2][k] = own.gamma;
+            }
+        }
+    }
+
+    /// Pixels of several objects.
     #[cold]
-    fn plain_color(&self, at: &Eight, k: usize, [alpha, beta, gamma]: [f32; 3], known: &mut Known) -> Rgb {
-        let weights = Barycentric { alpha, beta, gamma };
-        let weights = if alpha.is_nan() {
-            let found = self.projected.weights_of_clipped(at.numbers[k], at.i + k as u32, at.j);
-            found.unwrap_or(Barycentric::from_beta_gamma(1.0 / 3.0, 1.0 / 3.0))
-        } else {
-            weights
-        };
-        let object = &self.world.objects[at.objects[k]];
-        known.surface(at.numbers[k], object, at.triangles[k], self).color(weights)
+    fn color_one_by_one(
+        &self,
+        numbers: &Numbers,
+        (i, j): (u32, u32),
+        known: &mut Known,
+        pixels: &mut [Rgb; 8],
+    ) {
+        for (k, pixel) in pixels.iter_mut().enumerate() {
+            let is_there = numbers.is_there >> k & 1 == 1;
+            *pixel = if is_there {
+                self.plain_color(numbers.all[k], (i + k as u32, j), known)
+            } else {
+                self.world.background
+            };
+        }
+    }
+
+    /// The few pixels that are special: clipped, edge-on, without normals.
+    #[cold]
+    fn color_plainly(&self, at: &Eight, plainly: u8, known: &mut Known, pixels: &mut [Rgb; 8]) {
+        for (k, pixel) in pixels.iter_mut().enumerate() {
+            if plainly >> k & 1 == 1 {
+                *pixel = self.plain_color(at.numbers.all[k], (at.i + k as u32, at.j), known);
+            }
+        }
+    }
+
+    /// The slide's colour of a pixel.
+    fn plain_color(&self, number: Number, (i, j): (u32, u32), known: &mut Known) -> Rgb {
+        let index = self.projected.part_of(number);
+        let object = &self.world.objects[index];
+        let triangle = (number - self.projected.first_number(index)) as usize;
+        let weights = known.singly.weights(self.projected, object.mesh, number, (i, j));
+        known.surface(object, triangle, self).color(weights)
     }
 
     /// One colour a triangle (L37).
     #[inline(always)]
     fn flat<S: Simd>(&self, simd: S, at: &Eight, known: &mut Known) -> Vectors<S> {
+        if at.numbers.is_same {
+            let [color, ..] = known.corner_colors(at.numbers.all[0], at.object, at.triangle(0), self);
+            return Vectors::splat(simd, color);
+        }
         let mut columns = [[0.0; 8]; 3];
         for k in 0..8 {
-            let object = &self.world.objects[at.objects[k]];
-            let [color, ..] = known.corner_colors(at.numbers[k], object, at.triangles[k], self);
+            let [color, ..] = known.corner_colors(at.numbers.all[k], at.object, at.triangle(k), self);
             (columns[0][k], columns[1][k], columns[2][k]) = (color.x, color.y, color.z);
         }
         Vectors::load(simd, [&columns[0], &columns[1], &columns[2]])
@@ -156,8 +205,7 @@ impl Coloring<'_> {
         weights: &[f32x8<S>; 3],
         plainly: &mut mask32x8<S>,
     ) -> Vectors<S> {
-        let from_vertices = self.lit_at_vertices(at);
-        if from_vertices {
+        if self.attributes.lit[at.index] == Lit::Vertices {
             let (turned, uncertain) = self.turned(simd, at);
             if turned.all_false() {
                 let colors = gather(simd, &self.attributes.colors, &at.corners);
@@ -167,18 +215,14 @@ impl Coloring<'_> {
         }
         let mut columns = [[[0.0; 8]; 3]; 3];
         for k in 0..8 {
-            let object = &self.world.objects[at.objects[k]];
-            let colors = known.corner_colors(at.numbers[k], object, at.triangles[k], self);
+            let colors = known.corner_colors(at.numbers.all[k], at.object, at.triangle(k), self);
             for (columns, color) in columns.iter_mut().zip(colors) {
                 (columns[0][k], columns[1][k], columns[2][k]) = (color.x, color.y, color.z);
             }
         }
-        let load = |c: usize| Vectors::load(simd, [&columns[c][0], &columns[c][1], &columns[c][2]]);
-        mix(weights, &[load(0), load(1), load(2)])
-    }
-
-    fn lit_at_vertices(&self, at: &Eight) -> bool {
-        at.objects.iter().all(|object| self.attributes.lit[*object] == Lit::Vertices)
+        let [a, b, c] = &columns;
+        let load = |of: &[[f32; 8]; 3]| Vectors::load(simd, [&of[0], &of[1], &of[2]]);
+        mix(weights, &[load(a), load(b), load(c)])
     }
 
     /// The lighting model with the interpolated normal (L40).
@@ -190,20 +234,22 @@ impl Coloring<'_> {
         weights: &[f32x8<S>; 3],
         plainly: &mut mask32x8<S>,
     ) -> Vectors<S> {
-        let Some(normals) = self.normal_indices(at) else {
+        let Some(normals) = at.object.mesh.normals() else {
             *plainly = mask32x8::splat(simd, true);
             return Vectors::splat(simd, Rgb::ZERO);
         };
-        let corners = gather(simd, &self.attributes.positions, &at.corners);
-        let p_world = mix(weights, &corners);
-        let n = mix(weights, &gather(simd, &self.attributes.normals, &normals));
+        let places = gather(simd, &self.attributes.positions, &at.corners);
+        let p_world = mix(weights, &places);
+        let of_normals =
+            corners(&normals.triangles, &at.numbers, at.first, self.attributes.first_normal[at.index]);
+        let n = mix(weights, &gather(simd, &self.attributes.normals, &of_normals));
         let length = n.dot(n).sqrt();
         // As `phong_normal`: what is shorter has no direction. A NaN is no length at all.
         let has_direction = length.simd_gt(f32x8::splat(simd, 4.0 * f32::EPSILON));
         *plainly = *plainly | !has_direction;
         let mut scale = f32x8::splat(simd, 1.0) / length;
         if !self.fronts_only {
-            let (turned, uncertain) = self.turned_of(simd, at, &corners);
+            let (turned, uncertain) = self.turned_of(simd, at, &places);
             *plainly = *plainly | uncertain;
             scale = turned.select(-scale, scale);
         }
@@ -214,48 +260,26 @@ impl Coloring<'_> {
     /// Lights eight points, material by material.
     #[inline(always)]
     fn light<S: Simd>(&self, simd: S, at: &Eight, points: &Points<S>) -> Vectors<S> {
-        let material = |k: usize| self.world.objects[at.objects[k]].material(at.triangles[k]);
-        let first = material(0);
+        let first = at.object.material(at.triangle(0));
         let color = self.light_with(simd, &first, points);
-        if (1..8).all(|k| self.same_material(at, k)) {
+        if at.numbers.is_same || !at.object.mesh.has_materials() {
             return color;
         }
-        let mut columns = [color.x.to_array(), color.y.to_array(), color.z.to_array()];
+        let (mut r, mut g, mut b) = (color.x.to_array(), color.y.to_array(), color.z.to_array());
         for k in 1..8 {
-            let own = material(k);
+            let own = at.object.material(at.triangle(k));
             if own != first {
                 let color = self.light_with(simd, &own, points);
-                (columns[0][k], columns[1][k], columns[2][k]) = (color.x[k], color.y[k], color.z[k]);
+                (r[k], g[k], b[k]) = (color.x[k], color.y[k], color.z[k]);
             }
         }
-        Vectors::load(simd, [&columns[0], &columns[1], &columns[2]])
-    }
-
-    fn same_material(&self, at: &Eight, k: usize) -> bool {
-        at.numbers[k] == at.numbers[0]
-            || at.objects[k] == at.objects[0] && {
-                let mesh = self.world.objects[at.objects[k]].mesh;
-                mesh.material(at.triangles[k]) == mesh.material(at.triangles[0])
-            }
+        Vectors::load(simd, [&r, &g, &b])
     }
 
     #[inline(always)]
     fn light_with<S: Simd>(&self, simd: S, material: &Material, points: &Points<S>) -> Vectors<S> {
         let Lighting { lights, highlight, .. } = self.lighting;
         lit(simd, material, lights, highlight, points, |_, _, _, before| before)
-    }
-
-    /// The corners' normals, counted through those of all objects; `None` if some object has none.
-    #[inline(always)]
-    fn normal_indices(&self, at: &Eight) -> Option<Indices> {
-        let mut indices = [[0; 3]; 8];
-        for k in 0..8 {
-            let normals = self.world.objects[at.objects[k]].mesh.normals()?;
-            let first = self.attributes.first_normal[at.objects[k]];
-            let [a, b, c] = normals.triangles[at.triangles[k]];
-            indices[k] = [a + first, b + first, c + first];
-        }
-        Some(indices)
     }
 
     /// Which triangles show their backs, and of which that is not certain: see [`Coloring::turned_of`].
@@ -284,29 +308,42 @@ impl Coloring<'_> {
         let to_eye = Vectors::splat(simd, self.lighting.eye).minus(*a);
         let volume = cross.dot(to_eye);
         let scale = (u.dot(u).sqrt() * v.dot(v).sqrt()) * to_eye.dot(to_eye).sqrt();
-        let limit = scale * f32x8::splat(simd, LEAST_COSINE);
-        let mut side = f32x8::splat(simd, 0.0);
-        for k in 0..8 {
-            let is_mirrored = self.world.objects[at.objects[k]].world_from_object.determinant() < 0.0;
-            side[k] = if is_mirrored { -1.0 } else { 1.0 };
-        }
-        let turned = (volume * side).simd_lt(f32x8::splat(simd, 0.0));
-        (turned, !volume.abs().simd_gt(limit))
+        let is_certain = volume.abs().simd_gt(scale * f32x8::splat(simd, LEAST_COSINE));
+        let zero = f32x8::splat(simd, 0.0);
+        let is_behind = volume.simd_lt(zero);
+        // A map that mirrors turns the corners round the other way.
+        let is_turned = if self.attributes.is_mirrored[at.index] { !is_behind } else { is_behind };
+        (is_turned, !is_certain)
     }
+}
+
+/// The corners of the pixels' triangles, with `start` added.
+#[inline(always)]
+fn corners(triangles: &[[u32; 3]], numbers: &Numbers, first: Number, start: u32) -> Corners {
+    if numbers.is_same {
+        let [a, b, c] = triangles[(numbers.all[0] - first) as usize];
+        return Corners::Same([a + start, b + start, c + start]);
+    }
+    let mut all = [[0; 3]; 8];
+    for k in 0..8 {
+        let [a, b, c] = triangles[(numbers.all[k] - first) as usize];
+        all[k] = [a + start, b + start, c + start];
+    }
+    Corners::Each(all)
 }
 
 /// Three corners' vectors of eight triangles.
 #[inline(always)]
-fn gather<S: Simd>(simd: S, of: &[[f32; 4]], indices: &Indices) -> [Vectors<S>; 3] {
-    let [x, y, z, _] = gather_columns(simd, of, indices, 0);
+fn gather<S: Simd>(simd: S, of: &[[f32; 4]], corners: &Corners) -> [Vectors<S>; 3] {
+    let [x, y, z, _] = gather_columns(simd, of, corners, 0);
     let a = Vectors { x, y, z };
-    let [x, y, z, _] = gather_columns(simd, of, indices, 1);
+    let [x, y, z, _] = gather_columns(simd, of, corners, 1);
     let b = Vectors { x, y, z };
-    let [x, y, z, _] = gather_columns(simd, of, indices, 2);
+    let [x, y, z, _] = gather_columns(simd, of, corners, 2);
     [a, b, Vectors { x, y, z }]
 }
 
-/// αa + βb + γc, added in the order of [`Barycentric::interpolate`].
+/// αa + βb + γc, added in the order of [`geometry::Barycentric::interpolate`].
 #[inline(always)]
 fn mix<S: Simd>(weights: &[f32x8<S>; 3], [a, b, c]: &[Vectors<S>; 3]) -> Vectors<S> {
     a.scaled(weights[0]).plus(b.scaled(weights[1])).plus(c.scaled(weights[2]))

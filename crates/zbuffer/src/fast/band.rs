@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use fearless_simd::{Level, Simd, dispatch};
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, Simd, dispatch, i32x8, mask32x8};
 
 use crate::fast::bins::{BAND_ROWS, Piece};
 use crate::fast::blocks::TILE;
@@ -27,6 +28,21 @@ pub struct Band {
     large: Vec<(f32, Number, usize)>,
     /// The farthest depth in each tile.
     pub(crate) farthest: Vec<f32>,
+}
+
+/// What eight neighbouring pixels show.
+#[derive(Clone, Copy, Debug)]
+pub struct Numbers {
+    /// Their triangles. A pixel of the background has the number of one of the others.
+    pub all: [Number; 8],
+    /// Bit k is set where pixel k shows a triangle.
+    pub is_there: u8,
+    /// Whether all that show a triangle show the same.
+    pub is_same: bool,
+    /// The least number.
+    pub least: Number,
+    /// The greatest number.
+    pub greatest: Number,
 }
 
 /// How many columns may stand over.
@@ -68,20 +84,40 @@ impl Band {
         pixels.step_by(2).take(self.width as usize).map(|(number, z)| (*number as Number, *z))
     }
 
-    /// What up to eight pixels of a row show, from column `first` on; [`NONE`] where there are fewer than eight.
+    /// What eight pixels of a row show, from column `first` on. Beyond the last column it is nothing.
     ///
     /// # Panics
-    /// If the pixels do not lie in the band.
+    /// If the first pixel does not lie in the band.
     #[inline(always)]
-    #[must_use]
-    pub fn eight_numbers(&self, row: u32, first: u32, count: usize) -> [Number; 8] {
+    pub fn eight<S: Simd>(&self, simd: S, row: u32, first: u32) -> Numbers {
         let start = self.pixel(first, row);
-        let mut eight = [NONE; 8];
-        let pixels = self.numbers[start..].iter().step_by(2);
-        for (to, number) in eight.iter_mut().zip(pixels).take(count) {
-            *to = *number as Number;
+        let all = match self.numbers[start..].first_chunk::<16>() {
+            Some(sixteen) => {
+                let (low, high) = sixteen.split_at(8);
+                i32x8::from_slice(simd, low).unzip_low(i32x8::from_slice(simd, high))
+            }
+            None => {
+                // The band ends before.
+                let mut all = [NONE as i32; 8];
+                for (to, from) in all.iter_mut().zip(self.numbers[start..].iter().step_by(2)) {
+                    *to = *from;
+                }
+                i32x8::load_array(simd, all)
+            }
+        };
+        let columns = (1_u64 << (self.width - first).min(8)) - 1;
+        let is_there = all.simd_ne(NONE as i32).to_bitmask() & columns;
+        let some = all[is_there.trailing_zeros().min(7) as usize];
+        let is_same = all.simd_eq(some).to_bitmask() & is_there == is_there;
+        let is_there_mask = mask32x8::from_bitmask(simd, is_there);
+        let all = is_there_mask.select(all, i32x8::splat(simd, some));
+        Numbers {
+            all: all.to_array().map(|number| number as Number),
+            is_there: is_there as u8,
+            is_same,
+            least: all.reduce_min() as Number,
+            greatest: all.reduce_max() as Number,
         }
-        eight
     }
 
     /// The place of a pixel in memory.
@@ -145,7 +181,7 @@ impl Band {
                 for (indices, number) in indices.iter_mut().zip(&numbers) {
                     *indices = triangles[(number - first) as usize];
                 }
-                self.draw_eight(simd, &numbers, vertices, &indices);
+                self.draw_eight(simd, &numbers, vertices, indices);
             }
         }
     }

@@ -6,7 +6,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch, f32x8};
 use glam::Vec4;
 
-use crate::fast::eight::{Eight, Indices, centers, is_small};
+use crate::fast::eight::{Corners, Eight, centers, is_small};
 use crate::fast::projected::{Faces, Number, Part};
 use crate::fast::vertices::{ToScreen, Vertex};
 use crate::screen::ScreenTriangle;
@@ -92,7 +92,7 @@ impl Chunk {
             let mut indices = [eight[eight.len() - 1]; 8];
             indices[..eight.len()].copy_from_slice(eight);
             let present = (1_u64 << eight.len()) - 1;
-            self.sort_eight(simd, sorting, start, &indices, present);
+            self.sort_eight(simd, sorting, start, indices, present);
         }
     }
 
@@ -103,10 +103,10 @@ impl Chunk {
         simd: S,
         sorting: &Sorting,
         start: Number,
-        indices: &Indices,
+        indices: [[u32; 3]; 8],
         present: u64,
     ) {
-        let eight = Eight::gather(simd, sorting.vertices, indices);
+        let eight = Eight::gather(simd, sorting.vertices, &Corners::Each(indices));
         let (x, y) = (eight.extent(0), eight.extent(1));
         let columns = centers(simd, x, sorting.size.0);
         let rows = centers(simd, y, sorting.size.1);

@@ -12,14 +12,20 @@ pub(crate) struct Eight<S: Simd> {
     pub(crate) corners: [[f32x8<S>; 4]; 3],
 }
 
-/// The indices of eight triangles' corners.
-pub type Indices = [[u32; 3]; 8];
+/// The indices of the corners of eight triangles.
+#[derive(Clone, Copy, Debug)]
+pub enum Corners {
+    /// Eight different ones, or some of them several times.
+    Each([[u32; 3]; 8]),
+    /// Eight times the same.
+    Same([u32; 3]),
+}
 
 impl<S: Simd> Eight<S> {
     /// The corners with these indices.
     #[inline(always)]
-    pub(crate) fn gather(simd: S, vertices: &[Vertex], indices: &Indices) -> Self {
-        Self { corners: three!(k => gather_columns(simd, vertices, indices, k)) }
+    pub(crate) fn gather(simd: S, vertices: &[Vertex], corners: &Corners) -> Self {
+        Self { corners: three!(k => gather_columns(simd, vertices, corners, k)) }
     }
 
     /// The least and the greatest coordinate along an axis.
@@ -73,9 +79,17 @@ pub(crate) fn centers<S: Simd>(simd: S, extent: [f32x8<S>; 2], size: u32) -> [f3
 pub fn gather_columns<S: Simd>(
     simd: S,
     of_vertices: &[[f32; 4]],
-    indices: &Indices,
+    corners: &Corners,
     k: usize,
 ) -> [f32x8<S>; 4] {
+    let indices = match corners {
+        Corners::Each(indices) => indices,
+        Corners::Same(one) => {
+            let [x, y, z, w] = of_vertices[one[k] as usize];
+            let splat = |x: f32| f32x8::splat(simd, x);
+            return [splat(x), splat(y), splat(z), splat(w)];
+        }
+    };
     let vertex = |n: usize| f32x4::load_array_ref(simd, &of_vertices[indices[n][k] as usize]);
     let low = turned(vertex(0), vertex(1), vertex(2), vertex(3));
     let high = turned(vertex(4), vertex(5), vertex(6), vertex(7));

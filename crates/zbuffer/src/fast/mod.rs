@@ -30,8 +30,8 @@ mod small;
 mod vertices;
 mod weights;
 
-pub use band::Band;
+pub use band::{Band, Numbers};
 pub use bins::BAND_ROWS;
-pub use eight::{Indices, gather_columns};
+pub use eight::{Corners, gather_columns};
 pub use projected::{Faces, NONE, Number, Part, Projected};
-pub use weights::Weights;
+pub use weights::{Singly, Weights};

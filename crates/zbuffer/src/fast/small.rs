@@ -6,7 +6,7 @@ use fearless_simd::{Simd, f32x8, f64x4, i32x8, mask32x8};
 
 use crate::fast::band::Band;
 use crate::fast::blocks::{BLOCK, keep_nearest};
-use crate::fast::eight::{Eight, Indices, centers};
+use crate::fast::eight::{Corners, Eight, centers};
 use crate::fast::projected::Number;
 use crate::fast::vertices::Vertex;
 use crate::screen::SUBPIXELS;
@@ -22,9 +22,9 @@ impl Band {
         simd: S,
         numbers: &[Number; 8],
         vertices: &[Vertex],
-        indices: &Indices,
+        indices: [[u32; 3]; 8],
     ) {
-        let eight = Eight::gather(simd, vertices, indices);
+        let eight = Eight::gather(simd, vertices, &Corners::Each(indices));
         let columns = centers(simd, eight.extent(0), self.width);
         let rows = self.rows_within(simd, centers(simd, eight.extent(1), self.height));
         let limit = f32x8::splat(simd, TINY);
