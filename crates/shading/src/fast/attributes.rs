@@ -4,7 +4,7 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch, f32x4, f32x8};
 use geometry::mesh::normal_matrix;
-use glam::{Mat4, Vec3};
+use glam::{Mat3, Mat4, Vec3};
 use lighting::fast::{Points, Vectors, lit};
 use rayon::prelude::*;
 
@@ -111,10 +111,21 @@ fn normals_of(object: &Object) -> usize {
 fn to_world(world_from_object: &Mat4, positions: &[Vec3], own: &mut [Padded]) {
     let tasks = own.par_chunks_mut(IN_A_TASK).zip(positions.par_chunks(IN_A_TASK));
     tasks.for_each(|(own, positions)| {
-        for (own, p) in own.iter_mut().zip(positions) {
-            *own = world_from_object.transform_point3(*p).extend(1.0).to_array();
-        }
+        dispatch!(Level::new(), simd => move_all(simd, world_from_object, positions, own));
     });
+}
+
+#[inline(always)]
+fn move_all<S: Simd>(simd: S, world_from_object: &Mat4, positions: &[Vec3], own: &mut [Padded]) {
+    let [x, y, z, w] = world_from_object.to_cols_array_2d();
+    let column = |c: [f32; 4]| Vectors::splat(simd, Vec3::new(c[0], c[1], c[2]));
+    let (x, y, z, w) = (column(x), column(y), column(z), column(w));
+    for (positions, own) in positions.chunks(8).zip(own.chunks_mut(8)) {
+        let p = load(simd, positions);
+        // In glam's order.
+        let moved = w.plus(z.scaled(p.z).plus(y.scaled(p.y).plus(x.scaled(p.x))));
+        put(simd, moved, own);
+    }
 }
 
 /// Normals in world space, as [`crate::Facet`] turns them.
@@ -122,11 +133,48 @@ fn turn(object: &Object, normals: &[Vec3], own: &mut [Padded]) {
     let matrix = normal_matrix(&object.world_from_object);
     let tasks = own.par_chunks_mut(IN_A_TASK).zip(normals.par_chunks(IN_A_TASK));
     tasks.for_each(|(own, normals)| {
-        for (own, n) in own.iter_mut().zip(normals) {
-            let n = (matrix * *n).try_normalize().unwrap_or(Vec3::NAN);
-            *own = n.extend(0.0).to_array();
-        }
+        dispatch!(Level::new(), simd => turn_all(simd, &matrix, normals, own));
     });
+}
+
+#[inline(always)]
+fn turn_all<S: Simd>(simd: S, matrix: &Mat3, normals: &[Vec3], own: &mut [Padded]) {
+    let (x, y, z) = (
+        Vectors::splat(simd, matrix.x_axis),
+        Vectors::splat(simd, matrix.y_axis),
+        Vectors::splat(simd, matrix.z_axis),
+    );
+    let (nan, infinity) = (f32x8::splat(simd, f32::NAN), f32x8::splat(simd, f32::INFINITY));
+    for (normals, own) in normals.chunks(8).zip(own.chunks_mut(8)) {
+        let n = load(simd, normals);
+        let n = x.scaled(n.x).plus(y.scaled(n.y)).plus(z.scaled(n.z));
+        let scale = f32x8::splat(simd, 1.0) / n.dot(n).sqrt();
+        // As `try_normalize`: no direction has what is too short or too long.
+        let has_direction = scale.simd_gt(f32x8::splat(simd, 0.0)) & scale.simd_lt(infinity);
+        put(simd, n.scaled(has_direction.select(scale, nan)), own);
+    }
+}
+
+/// Up to eight vectors as columns; what is missing is 0.
+#[inline(always)]
+fn load<S: Simd>(simd: S, rows: &[Vec3]) -> Vectors<S> {
+    let mut columns = [[0.0; 8]; 3];
+    for (k, v) in rows.iter().enumerate() {
+        (columns[0][k], columns[1][k], columns[2][k]) = (v.x, v.y, v.z);
+    }
+    Vectors::load(simd, [&columns[0], &columns[1], &columns[2]])
+}
+
+/// Puts up to eight vectors into their places.
+#[inline(always)]
+fn put<S: Simd>(simd: S, vectors: Vectors<S>, own: &mut [Padded]) {
+    if let Ok(eight) = <&mut [Padded; 8]>::try_from(&mut *own) {
+        store(simd, vectors, eight);
+    } else {
+        let mut rows = [[0.0; 4]; 8];
+        store(simd, vectors, &mut rows);
+        own.copy_from_slice(&rows[..own.len()]);
+    }
 }
 
 /// The colours of vertices that show their fronts.
@@ -144,9 +192,7 @@ fn light_all<S: Simd>(
         let (p, n) = (columns(simd, positions), columns(simd, normals));
         let at = Points::seen_from(simd, lighting.eye, p, n);
         let color = lit(simd, material, lighting.lights, lighting.highlight, &at, |_, _, _, before| before);
-        let mut rows = [[0.0; 4]; 8];
-        store(simd, color, &mut rows);
-        colors.copy_from_slice(&rows[..colors.len()]);
+        put(simd, color, colors);
     }
 }
 

@@ -5,7 +5,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch, f32x8, mask32x8};
 use lighting::Material;
 use lighting::fast::{Points, Vectors, lit};
-use zbuffer::fast::{Band, Corners, Number, Numbers, Projected, Weights, gather_columns};
+use zbuffer::fast::{Band, Corners, Number, Numbers, Projected, gather_columns};
 
 use crate::fast::attributes::{Attributes, Lit};
 use crate::fast::known::Known;
@@ -23,6 +23,10 @@ pub(crate) struct Coloring<'a> {
     /// How many rows the picture has.
     pub(crate) height: u32,
 }
+
+const FLAT: u8 = 0;
+const GOURAUD: u8 = 1;
+const PHONG: u8 = 2;
 
 /// Eight neighbouring pixels of a row that show one object.
 struct Eight<'a> {
@@ -48,11 +52,28 @@ impl Eight<'_> {
 impl Coloring<'_> {
     /// Colours the rows of a band; `pixels` are theirs, from the top down.
     pub(crate) fn color(&self, band: &Band, known: &mut Known, pixels: &mut [Rgb]) {
-        dispatch!(Level::new(), simd => self.color_rows(simd, band, known, pixels));
+        // One function for each shading: each is small enough for the processor's registers.
+        match self.shading {
+            Shading::Flat => {
+                dispatch!(Level::new(), simd => self.color_rows::<_, FLAT>(simd, band, known, pixels))
+            }
+            Shading::Gouraud => {
+                dispatch!(Level::new(), simd => self.color_rows::<_, GOURAUD>(simd, band, known, pixels));
+            }
+            Shading::Phong => {
+                dispatch!(Level::new(), simd => self.color_rows::<_, PHONG>(simd, band, known, pixels))
+            }
+        }
     }
 
     #[inline(always)]
-    fn color_rows<S: Simd>(&self, simd: S, band: &Band, known: &mut Known, pixels: &mut [Rgb]) {
+    fn color_rows<S: Simd, const SHADING: u8>(
+        &self,
+        simd: S,
+        band: &Band,
+        known: &mut Known,
+        pixels: &mut [Rgb],
+    ) {
         let width = pixels.len() / band.rows().len();
         let mut rest = [Rgb::ZERO; 8];
         for (row, pixels) in band.rows().zip(pixels.chunks_exact_mut(width)) {
@@ -60,18 +81,18 @@ impl Coloring<'_> {
             let mut i = 0;
             let (eights, last) = pixels.as_chunks_mut::<8>();
             for eight in eights {
-                self.color_eight(simd, band, known, (row, i, j), eight);
+                self.color_eight::<S, SHADING>(simd, band, known, (row, i, j), eight);
                 i += 8;
             }
             if !last.is_empty() {
-                self.color_eight(simd, band, known, (row, i, j), &mut rest);
+                self.color_eight::<S, SHADING>(simd, band, known, (row, i, j), &mut rest);
                 last.copy_from_slice(&rest[..last.len()]);
             }
         }
     }
 
     #[inline(always)]
-    fn color_eight<S: Simd>(
+    fn color_eight<S: Simd, const SHADING: u8>(
         &self,
         simd: S,
         band: &Band,
@@ -103,13 +124,19 @@ impl Coloring<'_> {
         };
         let mut weights = self.projected.weights(simd, &at.corners, i, j);
         if weights.is_clipped.any_true() {
-            self.weigh_singly(&at, known, &mut weights);
+            let is_clipped = weights.is_clipped.to_bitmask() as u8 & numbers.is_there;
+            let mut columns =
+                [weights.columns[0].to_array(), weights.columns[1].to_array(), weights.columns[2].to_array()];
+            self.weigh_singly(&at, is_clipped, known, &mut columns);
+            for (column, own) in weights.columns.iter_mut().zip(&columns) {
+                *column = f32x8::load_array_ref(simd, own);
+            }
         }
         let mut plainly = mask32x8::splat(simd, false);
-        let color = match self.shading {
-            Shading::Flat => self.flat(simd, &at, known),
-            Shading::Gouraud => self.gouraud(simd, &at, known, &weights.columns, &mut plainly),
-            Shading::Phong => self.phong(simd, &at, &weights.columns, &mut plainly),
+        let color = match SHADING {
+            FLAT => self.flat(simd, &at, known),
+            GOURAUD => self.gouraud(simd, &at, known, &weights.columns, &mut plainly),
+            _ => self.phong(simd, &at, &weights.columns, &mut plainly),
         };
         let (r, g, b) = (color.x.to_array(), color.y.to_array(), color.z.to_array());
         if numbers.is_there == u8::MAX {
@@ -129,21 +156,20 @@ impl Coloring<'_> {
     }
 
     /// The weights of those pixels whose triangle was clipped.
-    #[inline(always)]
-    fn weigh_singly<S: Simd>(&self, at: &Eight, known: &mut Known, weights: &mut Weights<S>) {
+    #[inline(never)]
+    fn weigh_singly(&self, at: &Eight, is_clipped: u8, known: &mut Known, columns: &mut [[f32; 8]; 3]) {
         for k in 0..8 {
-            if at.numbers.is_there >> k & 1 == 1 && weights.is_clipped.test(k) {
+            if is_clipped >> k & 1 == 1 {
                 let pixel = (at.i + k as u32, at.j);
                 let own = known.singly.weights(self.projected, at.object.mesh, at.numbers.all[k], pixel);
-                weights.columns[0][k] = own.alpha;
-                weights.columns[1][k] = own.beta;
-                weights.columns[2][k] = own.gamma;
+                (columns[0][k], columns[1][k], columns[2][k]) = (own.alpha, own.beta, own.gamma);
             }
         }
     }
 
     /// Pixels of several objects.
     #[cold]
+    #[inline(never)]
     fn color_one_by_one(
         &self,
         numbers: &Numbers,
@@ -163,6 +189,7 @@ impl Coloring<'_> {
 
     /// The few pixels that are special: clipped, edge-on, without normals.
     #[cold]
+    #[inline(never)]
     fn color_plainly(&self, at: &Eight, plainly: u8, known: &mut Known, pixels: &mut [Rgb; 8]) {
         for (k, pixel) in pixels.iter_mut().enumerate() {
             if plainly >> k & 1 == 1 {
