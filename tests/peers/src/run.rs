@@ -45,7 +45,7 @@ impl Run {
     /// How long a case is measured whose turns are short.
     pub(crate) fn effort(&self) -> Effort {
         if self.quick {
-            Effort { fewest: 1, most: 3, time: Duration::from_millis(700) }
+            Effort { fewest: 1, most: 3, time: Duration::from_millis(300) }
         } else {
             Effort { fewest: 5, most: 25, time: Duration::from_secs(6) }
         }

@@ -71,15 +71,13 @@ impl Differences {
     /// Whether they are explained by rounding: `Err` says which are not.
     ///
     /// Ours moves corners to the nearest 1/256 of a pixel, by up to 1/512 in either direction, so that an outline that crosses a pixel sweeps over its sample in at most
-    /// one case of 256; peers round less. Three times that for chance, and a dozen pixels where an outline is short. Colours differ beside those, too, where
-    /// a triangle is thinner than a pixel and seen from the side: its sample lies elsewhere in it by 1/512 pixel, which may be all of it. Those triangles
-    /// are on the outlines, so there are at most as many such pixels.
+    /// one case of 256; peers round less. Three times that for chance, and a dozen pixels where an outline is short.
     pub(crate) fn check(&self) -> Result<(), String> {
         let moved = 12 + self.on_outlines * 3 / 256;
         for (what, found, most) in [
             ("covered by one only", self.coverage, moved),
             ("at another distance", self.distance, moved),
-            ("in another colour", self.color, 12 + self.on_outlines),
+            ("in another colour", self.color, moved),
         ] {
             if found > most {
                 return Err(format!("{found} pixels {what}, where rounding explains {most}"));

@@ -35,23 +35,24 @@ trait Mode {
     fn in_pixel(uniforms: &Uniforms, varying: Self::Varying) -> Color3f;
 }
 
-/// At the corners; colours are interpolated (L38).
+/// At the corners; colours are interpolated (L38), as vectors: its type for colours is interpolated on the screen, without regard to perspective (E9), and gives another
+/// picture.
 struct Gouraud;
 
 /// In the pixels; points and normals are interpolated (L40).
 struct Phong;
 
 impl Mode for Gouraud {
-    type Varying = Color3f;
+    type Varying = V3;
 
     #[inline]
-    fn at_vertex(uniforms: &Uniforms, corner: &Corner) -> Color3f {
-        lit(uniforms, &corner.pos, &corner.attrib)
+    fn at_vertex(uniforms: &Uniforms, corner: &Corner) -> V3 {
+        lit(uniforms, &corner.pos, &corner.attrib).0.into()
     }
 
     #[inline]
-    fn in_pixel(_: &Uniforms, color: Color3f) -> Color3f {
-        color
+    fn in_pixel(_: &Uniforms, color: V3) -> Color3f {
+        color.0.into()
     }
 }
 

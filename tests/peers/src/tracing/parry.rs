@@ -39,11 +39,13 @@ impl Traces for Prepared {
     }
 
     fn trace(&self, kind: Kind, t: &mut [f32]) {
+        // It computes with the number, which should not be infinite.
+        let farthest = kind.farthest().min(f32::MAX);
         for (ray, t) in self.rays[kind as usize].iter().zip(t) {
             *t = if kind == Kind::Shadow {
-                if self.mesh.intersects_local_ray(ray, kind.farthest()) { 0.0 } else { f32::INFINITY }
+                if self.mesh.intersects_local_ray(ray, farthest) { 0.0 } else { f32::INFINITY }
             } else {
-                self.mesh.cast_local_ray(ray, kind.farthest(), true).unwrap_or(f32::INFINITY)
+                self.mesh.cast_local_ray(ray, farthest, true).unwrap_or(f32::INFINITY)
             };
         }
     }

@@ -32,7 +32,7 @@ impl Kind {
 
     /// Up to which t a hit counts: the light is at 1.
     pub(crate) fn farthest(self) -> f32 {
-        if self == Self::Shadow { 1.0 } else { f32::MAX }
+        if self == Self::Shadow { 1.0 } else { f32::INFINITY }
     }
 }
 
