@@ -29,7 +29,7 @@ pub(crate) fn back_to_front(view: &Pipeline) -> Mesh {
         };
         for &(x, y) in corners {
             positions.push(on_screen(view, MARGIN * x, MARGIN * y, distance + LEAN * x));
-            let n_camera = vec3(0.4 * x, 0.3 * y, 1.0).normalize();
+            let n_camera = vec3(0.2 * x, 0.15 * y, 1.0).normalize();
             normals.push(view.camera().world_from_camera().transform_vector3(n_camera));
         }
     }

@@ -25,7 +25,7 @@ pub(crate) const LIGHT: Vec3 = vec3(-2.0, 4.0, 5.0);
 /// c_r and p of the one material. The highlight is white, and Blinn's.
 pub(crate) const DIFFUSE: Rgb = Rgb::new(0.6, 0.25, 0.1);
 pub(crate) const SPECULAR: f32 = 0.3;
-pub(crate) const EXPONENT: f32 = 50.0;
+pub(crate) const EXPONENT: f32 = 32.0;
 /// Blinn's form: h needs a square root, and every peer pays for it.
 pub(crate) const HIGHLIGHT: Highlight = Highlight::Blinn;
 
