@@ -4,6 +4,7 @@
 
 mod arguments;
 mod drawing;
+mod live;
 mod memory;
 mod ours;
 mod report;
@@ -56,6 +57,7 @@ fn measure(arguments: &Arguments) -> io::Result<Verdict> {
     run.report.say(&conditions())?;
     threads::pinned(1).install(|| {
         drawing::run(&mut run)?;
+        live::run(&mut run)?;
         tracing::run(&mut run)?;
         scaling::run(&mut run)?;
         memory::run(&mut run)?;
@@ -68,7 +70,7 @@ fn measure(arguments: &Arguments) -> io::Result<Verdict> {
 /// Under which conditions the numbers hold.
 fn conditions() -> String {
     let compiled = if cfg!(all(target_arch = "x86_64", not(target_feature = "fma"))) {
-        "compiled for any x86-64 processor: peers are slower than they could be (euc twice over), ours chooses its instructions when it runs; \
+        "compiled for any x86-64 processor: peers are slower than they could be, ours chooses its instructions when it runs; \
          RUSTFLAGS=\"-C target-cpu=native\" gives them theirs, at another --target-dir"
     } else {
         "compiled for this processor"

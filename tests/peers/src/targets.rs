@@ -41,6 +41,8 @@ pub(crate) fn rays(scene: &str, kind: &str, peer: &str) -> Option<f64> {
 pub(crate) const TWO_THREADS: f64 = 1.9;
 /// Below this a picture is too short to be shared out well.
 pub(crate) const LONG: f64 = 50.0;
+/// Most milliseconds for a frame of a live view: a quarter of what 60 a second leave.
+pub(crate) const LIVE: f64 = 4.0;
 /// Most megabytes for mesh and hierarchy of a million triangles, and for a picture beside its buffers.
 pub(crate) const MEGABYTES_OF_A_MILLION: f64 = 100.0;
 pub(crate) const MEGABYTES_BESIDE_BUFFERS: f64 = 64.0;
