@@ -40,7 +40,7 @@ type Found = (String, &'static str, Differences);
 /// Measures the rays of one mesh, and says what each peer sees otherwise than we do.
 fn contest(run: &mut Run, scene: &Scene, kinds: &[Kind]) -> io::Result<Vec<Found>> {
     let ours = Tracing::build(scene.mesh.clone());
-    let rays = Rays::new(&ours, if run.quick { 384 } else { 1024 });
+    let rays = Rays::new(&ours, if run.quick { 256 } else { 1024 });
     let peers = peers(&scene.mesh, &rays);
     let mut found = Vec::new();
     for &kind in kinds {
