@@ -1,4 +1,5 @@
-//! How fast are we? The same scenes drawn and traced by other renderers in Rust, and the ratios. The README says what is compared, and how fair it is.
+//! How fast are we? The same scenes drawn and traced by other renderers in Rust, and the ratios. The README says what
+//! is compared, and how fair it is.
 
 #![forbid(unsafe_code)]
 

@@ -21,7 +21,8 @@ const CASES: [(&str, f64); 3] = [
     ("picture", targets::MEGABYTES_BESIDE_BUFFERS),
 ];
 
-/// Measures all cases: mesh and hierarchy of a million triangles; beside its buffers, a frame that is drawn of them and a picture that is traced.
+/// Measures all cases: mesh and hierarchy of a million triangles; beside its buffers, a frame that is drawn of them and
+/// a picture that is traced.
 ///
 /// # Errors
 /// If the report cannot be written, or a child ends badly.
@@ -58,7 +59,8 @@ fn ask(what: &str) -> io::Result<[f64; 2]> {
         .map_err(|_| Error::other(format!("memory of {what}: the child ended with {}", output.status)))
 }
 
-/// The child: makes the thing, and prints megabytes held and at the peak, both without what was there before, a picture's also without its buffers.
+/// The child: makes the thing, and prints megabytes held and at the peak, both without what was there before, a
+/// picture's also without its buffers.
 ///
 /// # Errors
 /// If the system does not say what is resident, or the answer cannot be written.

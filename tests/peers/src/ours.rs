@@ -64,7 +64,8 @@ impl Draws for Drawing<'_> {
     }
 }
 
-/// How many bytes the buffers of a picture of ours take: the frame with all that it tells about each pixel, and the depth buffer.
+/// How many bytes the buffers of a picture of ours take: the frame with all that it tells about each pixel, and the
+/// depth buffer.
 pub(crate) fn bytes_of_buffers(pixels: usize) -> usize {
     let of_a_pixel =
         size_of::<Rgb>() + size_of::<Option<shading::Visible>>() + size_of::<u32>() + size_of::<f32>();

@@ -55,7 +55,8 @@ impl Report {
         writeln!(self.out, "{sentence}")
     }
 
-    /// One row, shown at once: measuring takes long. Where its columns differ from those of the row before, a header comes first.
+    /// One row, shown at once: measuring takes long. Where its columns differ from those of the row before, a header
+    /// comes first.
     ///
     /// # Errors
     /// If it cannot be written.

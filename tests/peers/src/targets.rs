@@ -1,5 +1,6 @@
-//! What is to be reached? How many times as fast as each peer, by a table of times measured once, on one machine with two processors, the peers compiled for it
-//! (`-C target-cpu=native`): what a peer took there, over what we set out to take there.
+//! What is to be reached? How many times as fast as each peer, by a table of times measured once, on one machine with
+//! two processors, the peers compiled for it (`-C target-cpu=native`): what a peer took there, over what we set out to
+//! take there.
 
 /// Milliseconds a frame: scene, shading, euc 0.5, retrofire 0.4, to reach.
 const FRAMES: [(&str, &str, f64, f64, f64); 6] = [
@@ -37,7 +38,8 @@ pub(crate) fn rays(scene: &str, kind: &str, peer: &str) -> Option<f64> {
         .find_map(|(name, r)| (name == peer).then_some(r))
 }
 
-/// How many times as fast two threads should be as one, for a picture that takes one of them more than [`LONG`] milliseconds.
+/// How many times as fast two threads should be as one, for a picture that takes one of them more than [`LONG`]
+/// milliseconds.
 pub(crate) const TWO_THREADS: f64 = 1.9;
 /// Below this a picture is too short to be shared out well.
 pub(crate) const LONG: f64 = 50.0;

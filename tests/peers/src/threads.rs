@@ -6,7 +6,8 @@ use rayon::ThreadPool;
 
 /// A pool of `count` threads, thread k bound to processor k of those that this process may use.
 ///
-/// The first call must come from a thread that is not bound itself: a new thread may use the processors of the one that starts it.
+/// The first call must come from a thread that is not bound itself: a new thread may use the processors of the one that
+/// starts it.
 ///
 /// # Panics
 /// If the system gives no threads.

@@ -13,8 +13,9 @@ pub(crate) struct Effort {
     pub(crate) time: Duration,
 }
 
-/// The median time of each contestant. A round gives each one turn, in their order, so that whatever disturbs the machine for a while disturbs all of them; a
-/// round before the first is not counted: it fills caches and touches fresh memory.
+/// The median time of each contestant. A round gives each one turn, in their order, so that whatever disturbs the
+/// machine for a while disturbs all of them; a round before the first is not counted: it fills caches and touches fresh
+/// memory.
 pub(crate) fn medians(effort: Effort, contestants: &mut [&mut dyn FnMut()]) -> Vec<Duration> {
     for turn in contestants.iter_mut() {
         turn();

@@ -2,12 +2,13 @@
 
 use super::Picture;
 
-/// Two colours are the same if no channel differs by more: a byte tells 1/256, of which its middle is at most half away, and interpolation by steps along a row of
-/// 1920 pixels adds up as many roundings of 2⁻²⁴. Twice that.
+/// Two colours are the same if no channel differs by more: a byte tells 1/256, of which its middle is at most half
+/// away, and interpolation by steps along a row of 1920 pixels adds up as many roundings of 2⁻²⁴. Twice that.
 const SAME_COLOR: f32 = 2.0 * (0.5 / 255.0 + 1920.0 / 16_777_216.0);
 
-/// Two distances are the same if they differ by no more than this share. Depth is stored as z near 1 by some, of which the last bit is worth 10⁻⁶ of the distance, and
-/// computed from a matrix of differences whose terms cancel to some digits where triangles are small.
+/// Two distances are the same if they differ by no more than this share. Depth is stored as z near 1 by some, of which
+/// the last bit is worth 10⁻⁶ of the distance, and computed from a matrix of differences whose terms cancel to some
+/// digits where triangles are small.
 const SAME_DISTANCE: f32 = 1e-3;
 
 /// What differs between two pictures of one scene.
@@ -15,7 +16,8 @@ const SAME_DISTANCE: f32 = 1e-3;
 pub(crate) struct Differences {
     /// Pixels of ours that show something.
     pub(crate) covered: usize,
-    /// Pixels of ours on an outline: neighbours of pixels that are nearer or farther than one surface would be, or that show nothing.
+    /// Pixels of ours on an outline: neighbours of pixels that are nearer or farther than one surface would be, or that
+    /// show nothing.
     pub(crate) on_outlines: usize,
     /// Pixels that one covers and the other does not.
     pub(crate) coverage: usize,
@@ -70,8 +72,9 @@ fn outline(picture: &Picture) -> usize {
 impl Differences {
     /// Whether they are explained by rounding: `Err` says which are not.
     ///
-    /// Ours moves corners to the nearest 1/256 of a pixel, by up to 1/512 in either direction, so that an outline that crosses a pixel sweeps over its sample in at most
-    /// one case of 256; peers round less. Three times that for chance, and a dozen pixels where an outline is short.
+    /// Ours moves corners to the nearest 1/256 of a pixel, by up to 1/512 in either direction, so that an outline that
+    /// crosses a pixel sweeps over its sample in at most one case of 256; peers round less. Three times that for
+    /// chance, and a dozen pixels where an outline is short.
     pub(crate) fn check(&self) -> Result<(), String> {
         let moved = 12 + self.on_outlines * 3 / 256;
         for (what, found, most) in [

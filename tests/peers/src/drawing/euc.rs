@@ -1,4 +1,5 @@
-//! The scene as euc's users write it: a pipeline with a vertex and a fragment shader, indices for vertices, pixels in 32 bits as in its examples.
+//! The scene as euc's users write it: a pipeline with a vertex and a fragment shader, indices for vertices, pixels in
+//! 32 bits as in its examples.
 
 use euc::buffer::Buffer2d;
 use euc::rasterizer::Triangles;

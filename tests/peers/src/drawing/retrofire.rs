@@ -1,4 +1,5 @@
-//! The scene as retrofire's users write it: shared vertices, a vertex and a fragment shader, a frame buffer of 32-bit pixels and depths.
+//! The scene as retrofire's users write it: shared vertices, a vertex and a fragment shader, a frame buffer of 32-bit
+//! pixels and depths.
 
 use glam::Vec3;
 use retrofire_core::geom::Vertex;
@@ -35,8 +36,8 @@ trait Mode {
     fn in_pixel(uniforms: &Uniforms, varying: Self::Varying) -> Color3f;
 }
 
-/// At the corners; colours are interpolated (L38), as vectors: its type for colours is interpolated on the screen, without regard to perspective (E9), and gives another
-/// picture.
+/// At the corners; colours are interpolated (L38), as vectors: its type for colours is interpolated on the screen,
+/// without regard to perspective (E9), and gives another picture.
 struct Gouraud;
 
 /// In the pixels; points and normals are interpolated (L40).
@@ -86,8 +87,8 @@ fn lit(uniforms: &Uniforms, p_world: &Point, n: &V3) -> Color3f {
     color.into()
 }
 
-/// Brought to unit length by a square root. Its own `normalize` raises to the power −½, which takes four times as long, and takes the NaN that it interpolates to in a
-/// triangle without height for a mistake of ours.
+/// Brought to unit length by a square root. Its own `normalize` raises to the power −½, which takes longer, and takes
+/// the NaN that it interpolates to in a triangle without height for a mistake of ours.
 #[inline]
 fn unit(v: V3) -> V3 {
     v * v.len().recip()
@@ -143,7 +144,8 @@ impl<M: Mode> Prepared<M> {
             },
             triangles: scene.mesh.triangles().iter().map(|t| Tri(t.map(|index| index as usize))).collect(),
             corners: corners.map(|(p, n)| vertex(p.to_array().into(), n.to_array().into())).collect(),
-            // Its screen's rows run down, and so does its y; with ours upwards, fronts stay anticlockwise and row j is row j.
+            // Its screen's rows run down, and so does its y; with ours upwards, fronts stay anticlockwise and row j is
+            // row j.
             to_screen: viewport(size.into()),
             frame: Framebuf { color_buf: Colorbuf::new(Buf2::new(size)), depth_buf: Buf2::new(size) },
             mode: std::marker::PhantomData,

@@ -13,8 +13,9 @@ const FARTHEST: f32 = 5.0;
 const STEP: f32 = 0.4;
 const LEAN: f32 = 0.04;
 
-/// Twelve triangles in the view of this camera, the farthest first: four layers of one triangle that sticks out of the screen, between them four of two
-/// triangles with a common diagonal. All fronts; drawn in this order every fragment is nearer than what was there.
+/// Twelve triangles in the view of this camera, the farthest first: four layers of one triangle that sticks out of the
+/// screen, between them four of two triangles with a common diagonal. All fronts; drawn in this order every fragment is
+/// nearer than what was there.
 pub(crate) fn back_to_front(view: &Pipeline) -> Mesh {
     let (mut positions, mut normals, mut triangles) = (Vec::new(), Vec::new(), Vec::new());
     for layer in 0..LAYERS {

@@ -8,8 +8,8 @@ use glam::Vec3;
 /// How far the bumps rise and sink; two waves, so that the surface stays between 0.94 and 1.06.
 const AMPLITUDE: f32 = 0.03;
 
-/// The closed mesh of 12·n² triangles, fronts outside, with smooth normals: n × n squares on each of the cube's faces, two triangles a square, the corners on
-/// edges shared by the faces.
+/// The closed mesh of 12·n² triangles, fronts outside, with smooth normals: n × n squares on each of the cube's faces,
+/// two triangles a square, the corners on edges shared by the faces.
 ///
 /// # Panics
 /// If `n` is 0.
@@ -22,7 +22,8 @@ pub(crate) fn bumpy(n: u32) -> Mesh {
             for (u, v) in (0..n).flat_map(|v| (0..n).map(move |u| (u, v))) {
                 let [a, b, c, d] =
                     [(u, v), (u + 1, v), (u + 1, v + 1), (u, v + 1)].map(|at| grid.corner(axis, side, at));
-                // Axis, u, v follow each other cyclically: anticlockwise seen from +axis, so turned round on the other side.
+                // Axis, u, v follow each other cyclically: anticlockwise seen from +axis, so turned round on the other
+                // side.
                 let square = if side == n { [[a, b, c], [a, c, d]] } else { [[a, c, b], [a, d, c]] };
                 triangles.extend(square);
             }

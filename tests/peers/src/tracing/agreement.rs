@@ -1,11 +1,13 @@
 //! Do rays hit the same? Every answer is compared, and what differs is counted.
 
-/// Two places on a ray are the same if they differ by no more than this share: a test of rays and triangles in 32-bit numbers loses a few bits where a ray grazes.
+/// Two places on a ray are the same if they differ by no more than this share: a test of rays and triangles in 32-bit
+/// numbers loses a few bits where a ray grazes.
 const SAME_PLACE: f32 = 1e-4;
 
-/// One ray of so many may be answered otherwise: where it passes an edge of the silhouette, or an edge between two triangles, within rounding. A silhouette pixel of 1024 × 1024 is
-/// 2·10⁻³ wide and rounding moves an edge by 10⁻⁶ of the ball, so of some thousand silhouette rays one or two in a million come out otherwise; tests that are
-/// not watertight lose as many again between triangles. Ten times that.
+/// One ray of so many may be answered otherwise: where it passes an edge of the silhouette, or an edge between two
+/// triangles, within rounding. A silhouette pixel of 1024 × 1024 is 2·10⁻³ wide and rounding moves an edge by 10⁻⁶ of
+/// the ball, so of some thousand silhouette rays one or two in a million come out otherwise; tests that are not
+/// watertight lose as many again between triangles. Ten times that.
 const RAYS_TO_ONE_OTHERWISE: usize = 50_000;
 
 /// What differs between two lists of answers.

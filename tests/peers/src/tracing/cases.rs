@@ -110,7 +110,8 @@ fn picture(run: &mut Run) -> io::Result<()> {
     run.report.row("picture 69k", &cells)
 }
 
-/// Building the hierarchy of a million triangles; ours on one thread and on two. Who takes a mesh for itself is given a copy, which is part of the time.
+/// Building the hierarchy of a million triangles; ours on one thread and on two. Who takes a mesh for itself is given a
+/// copy, which is part of the time.
 fn building(run: &mut Run) -> io::Result<()> {
     if !run.wants("build 1M") {
         return Ok(());

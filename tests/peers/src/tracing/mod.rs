@@ -15,8 +15,9 @@ trait Traces {
     /// The name in the table.
     fn name(&self) -> &'static str;
 
-    /// One query for each ray of this kind, into `t`: for primary and random rays the place of the nearest hit, infinite for none; for shadow rays 0 if anything is
-    /// met before the light, else infinite. This is what is measured.
+    /// One query for each ray of this kind, into `t`: for primary and random rays the place of the nearest hit,
+    /// infinite for none; for shadow rays 0 if anything is met before the light, else infinite. This is what is
+    /// measured.
     fn trace(&self, kind: Kind, t: &mut [f32]);
 }
 

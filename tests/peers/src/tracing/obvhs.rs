@@ -1,5 +1,5 @@
-//! The mesh as obvhs' users trace it: a binary hierarchy from the medium preset, its own triangle test, and the triangles in the order of the leaves, as its examples
-//! advise.
+//! The mesh as obvhs' users trace it: a binary hierarchy from the medium preset, its own triangle test, and the
+//! triangles in the order of the leaves, as its examples advise.
 
 use std::time::Duration;
 

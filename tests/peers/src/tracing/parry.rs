@@ -1,4 +1,5 @@
-//! The mesh as parry's users trace it: a `TriMesh` and its ray casts. Of shadow rays it finds the nearest hit, too: it has no query for any.
+//! The mesh as parry's users trace it: a `TriMesh` and its ray casts. Of shadow rays it finds the nearest hit, too: it
+//! has no query for any.
 
 use geometry::Mesh;
 use glam::Vec3;

@@ -43,11 +43,13 @@ pub(crate) struct Rays([Vec<Ray>; 3]);
 const RADIUS: f32 = 1.06;
 /// Which random rays: the same in every run.
 const SEED: u64 = 20_260_401;
-/// How far before the surface shadow rays start, as a share of the way there: no ray meets the triangle it came from, whoever's the rounding.
+/// How far before the surface shadow rays start, as a share of the way there: no ray meets the triangle it came from,
+/// whoever's the rounding.
 const BEFORE_THE_SURFACE: f32 = 1e-3;
 
 impl Rays {
-    /// One primary ray for each of `side` × `side` pixels, in blocks of 4 × 2; a shadow ray for each that hits, in the same order; a quarter as many random ones.
+    /// One primary ray for each of `side` × `side` pixels, in blocks of 4 × 2; a shadow ray for each that hits, in the
+    /// same order; a quarter as many random ones.
     pub(crate) fn new(tracing: &Tracing, side: u32) -> Self {
         let view = view(side, side);
         let primary: Vec<Ray> =
