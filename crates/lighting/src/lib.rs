@@ -5,6 +5,7 @@
 //! - [`highlight`]: the two forms of the specular highlight, side by side (L30, L31, L34).
 //! - [`material`] and [`light`]: what the models take (L22, L24).
 //! - [`model`]: the Phong and Blinn–Phong lighting models, for one light and for several (L32, L34).
+//! - [`fast`]: the same for eight points at once.
 //!
 //! All directions are unit vectors in one common space and start at the surface: `n` the normal, `to_light`, `to_eye`.
 //! Colours are linear RGB and never clamped here (E8). The *Phong lighting model* is not *Phong shading*: that interpolates
@@ -12,6 +13,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod fast;
 pub mod highlight;
 pub mod lambert;
 pub mod light;

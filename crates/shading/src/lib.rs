@@ -14,6 +14,7 @@
 #![forbid(unsafe_code)]
 
 pub mod facet;
+pub mod fast;
 pub mod frame;
 pub mod mode;
 pub mod normals;

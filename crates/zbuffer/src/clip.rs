@@ -104,13 +104,14 @@ impl ScreenPolygon {
 }
 
 /// The way from clip space to pixels, per axis: pixel = half_size · canonical + center (L4).
-struct Viewport {
-    half_size: DVec2,
-    center: DVec2,
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Viewport {
+    pub(crate) half_size: DVec2,
+    pub(crate) center: DVec2,
 }
 
 impl Viewport {
-    fn new(width: u32, height: u32) -> Self {
+    pub(crate) fn new(width: u32, height: u32) -> Self {
         let sides = 1..=GREATEST_SIDE;
         assert!(
             sides.contains(&width) && sides.contains(&height),
@@ -120,10 +121,16 @@ impl Viewport {
         Self { half_size: 0.5 * size, center: 0.5 * (size - 1.0) }
     }
 
+    /// How far x/w and y/w may be from 0: half_size · x/w + center ≤ GUARD_BAND. The band is symmetric about the screen's
+    /// middle.
+    pub(crate) fn guard(&self) -> DVec2 {
+        (GUARD_BAND - self.center) / self.half_size
+    }
+
     /// The planes of the clipped volume: inside is where plane · (x, y, z, w) ≥ 0.
     fn planes(&self) -> [DVec4; 6] {
-        // half_size · x/w + center ≤ GUARD_BAND, times −w > 0. The band is symmetric about the screen's middle.
-        let guard = (GUARD_BAND - self.center) / self.half_size;
+        // Times −w > 0.
+        let guard = self.guard();
         [
             DVec4::new(0.0, 0.0, 1.0, -1.0),
             DVec4::new(0.0, 0.0, -1.0, -1.0),

@@ -16,6 +16,7 @@ pub mod clip;
 pub mod depth_buffer;
 pub mod depth_format;
 pub mod draw;
+pub mod fast;
 pub mod painter;
 pub mod rasterize;
 pub mod screen;

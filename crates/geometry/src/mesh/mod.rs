@@ -17,6 +17,8 @@ pub struct Mesh {
     positions: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
     normals: Option<Indexed<Vec3>>,
+    /// Whether the normals have the indices of the positions.
+    normals_follow: bool,
     texture_coordinates: Option<Indexed<Vec2>>,
     materials: Vec<u32>,
 }
@@ -112,6 +114,7 @@ impl Mesh {
         for n in &mut normals.values {
             *n = n.as_dvec3().normalize_or_zero().as_vec3();
         }
+        self.normals_follow = normals.triangles == self.triangles;
         self.normals = Some(normals);
         Ok(self)
     }
@@ -146,6 +149,7 @@ impl Mesh {
     #[must_use]
     pub fn without_normals(mut self) -> Self {
         self.normals = None;
+        self.normals_follow = false;
         self
     }
 
@@ -165,6 +169,19 @@ impl Mesh {
     #[must_use]
     pub fn normals(&self) -> Option<&Indexed<Vec3>> {
         self.normals.as_ref()
+    }
+
+    /// Whether the normals have the indices of the positions: each vertex has one normal, and whatever depends on both can be worked
+    /// out once a vertex.
+    #[must_use]
+    pub fn normals_follow_positions(&self) -> bool {
+        self.normals_follow
+    }
+
+    /// Whether materials were given, one for each triangle.
+    #[must_use]
+    pub fn has_materials(&self) -> bool {
+        !self.materials.is_empty()
     }
 
     /// The texture coordinates, if there are any.

@@ -3,6 +3,7 @@
 mod clipping;
 mod coverage;
 mod depth;
+mod fast;
 mod interpolation;
 
 use geometry::Barycentric;
