@@ -6,27 +6,31 @@ use canvas::{Image, Rgb};
 use geometry::{Mesh, Ray};
 use glam::Mat4;
 use raytrace::{Settings, Shape, Surface, TracedMesh};
-use shading::{Frame, Shading, Visibility};
+use shading::Shading;
+use shading::fast::Renderer;
 use transforms::Pipeline;
+use zbuffer::fast::{Band, Faces, NONE, Part, Projected};
 
 use crate::drawing::{Draws, Picture, Seen};
 use crate::scenes::{self, Scene};
 
 /// What the report says about this version.
-pub(crate) const VERSION: &str = "shading::render, raytrace::nearest and any_hit";
+pub(crate) const VERSION: &str = "shading::fast, raytrace::nearest and any_hit";
 
-/// Ours, object by object.
+/// Ours, object by object. Memory is kept from frame to frame.
 pub(crate) struct Drawing<'s> {
     scene: &'s Scene,
     view: Pipeline,
     shading: Shading,
-    frame: Option<Frame>,
+    renderer: Renderer,
+    image: Image,
 }
 
 impl<'s> Drawing<'s> {
     /// The scene, ready to be drawn.
     pub(crate) fn new(scene: &'s Scene, view: &Pipeline, shading: Shading) -> Self {
-        Self { scene, view: *view, shading, frame: None }
+        let image = Image::new(view.width(), view.height(), Rgb::ZERO);
+        Self { scene, view: *view, shading, renderer: Renderer::new(), image }
     }
 }
 
@@ -36,12 +40,8 @@ impl Draws for Drawing<'_> {
     }
 
     fn draw(&mut self) {
-        let materials = [scenes::material()];
-        let objects = [shading::Object {
-            mesh: &self.scene.mesh,
-            world_from_object: Mat4::IDENTITY,
-            materials: &materials,
-        }];
+        let (mesh, materials) = (&self.scene.mesh, [scenes::material()]);
+        let objects = [shading::Object { mesh, world_from_object: Mat4::IDENTITY, materials: &materials }];
         let lights = scenes::lights();
         let world = shading::World {
             objects: &objects,
@@ -49,27 +49,31 @@ impl Draws for Drawing<'_> {
             background: Rgb::ZERO,
             highlight: scenes::HIGHLIGHT,
         };
-        self.frame = Some(shading::render(&world, &self.view, self.shading, Visibility::default()));
+        self.renderer.render_into(&world, &self.view, self.shading, Faces::Front, &mut self.image);
     }
 
+    /// Depths do not outlive the band of rows that they are for: those of the picture are found once more, by the same code.
     fn picture(&self) -> Picture {
-        let frame = self.frame.as_ref().expect("a frame was drawn");
-        let seen = frame.image.pixels().iter().zip(&frame.visible);
-        let pixels = seen.map(|(color, visible)| {
+        let parts = [Part { mesh: &self.scene.mesh, world_from_object: Mat4::IDENTITY }];
+        let (mut projected, mut band) = (Projected::default(), Band::default());
+        projected.project(&parts, &self.view, Faces::Front);
+        let mut depths = Vec::with_capacity(self.image.pixels().len());
+        for b in 0..projected.bands() {
+            band.draw(b, &projected, &parts);
+            depths.extend(band.rows().flat_map(|row| band.row(row).collect::<Vec<_>>()));
+        }
+        let pixels = self.image.pixels().iter().zip(depths).map(|(color, (number, z))| {
             // Canonical z is nearer when larger, OpenGL's the other way round.
-            let distance = |z: f32| scenes::distance_from_opengl_z(-z);
-            visible.map(|at| Seen { color: color.to_array(), distance: distance(at.z) })
+            let distance = scenes::distance_from_opengl_z(-z);
+            (number != NONE).then(|| Seen { color: color.to_array(), distance })
         });
-        Picture { width: frame.image.width() as usize, pixels: pixels.collect() }
+        Picture { width: self.image.width() as usize, pixels: pixels.collect() }
     }
 }
 
-/// How many bytes the buffers of a picture of ours take: the frame with all that it tells about each pixel, and the
-/// depth buffer.
+/// How many bytes a picture takes that is drawn: its colours, and as much as a depth buffer would take.
 pub(crate) fn bytes_of_buffers(pixels: usize) -> usize {
-    let of_a_pixel =
-        size_of::<Rgb>() + size_of::<Option<shading::Visible>>() + size_of::<u32>() + size_of::<f32>();
-    pixels * of_a_pixel
+    pixels * (size_of::<Rgb>() + size_of::<f32>())
 }
 
 /// Ours, ray by ray: a mesh with its hierarchy.
