@@ -1,10 +1,21 @@
-//! How long does a picture take to become a file, and back?
+//! What do files cost, and what does their curve?
+//!
+//! `cargo bench -p canvas -- steps` runs one question alone; the others are `files` and `difference`.
 
 use std::hint::black_box;
 use std::time::Duration;
 
 use canvas::{Format, Image, Rgb, codec, difference, srgb};
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
+
+const SIDE: u32 = 512;
+
+fn group<'c>(criterion: &'c mut Criterion, question: &str) -> BenchmarkGroup<'c, WallTime> {
+    let mut group = criterion.benchmark_group(format!("{question}, {SIDE} × {SIDE}"));
+    group.sample_size(10).warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_secs(1));
+    group
+}
 
 /// A picture as renderers make them: smooth parts, an edge, some noise.
 fn picture(side: u32) -> Image {
@@ -19,10 +30,10 @@ fn picture(side: u32) -> Image {
     })
 }
 
+/// Which format is written and read soonest?
 fn files(c: &mut Criterion) {
-    let image = picture(1024);
-    let mut group = c.benchmark_group("1024x1024");
-    group.sample_size(20).warm_up_time(Duration::from_millis(500)).measurement_time(Duration::from_secs(2));
+    let image = picture(SIDE);
+    let mut group = group(c, "files");
     for format in [Format::Png8, Format::Png16, Format::Exr] {
         let file = codec::encode(&image, format).unwrap();
         group.bench_function(format!("encode {format:?}"), |b| {
@@ -32,20 +43,32 @@ fn files(c: &mut Criterion) {
             b.iter(|| codec::decode(black_box(&file)));
         });
     }
+    group.finish();
+}
+
+/// A power for each channel, or a table of where the 256 steps begin? (E8: this is where colours are clamped.)
+fn steps(c: &mut Criterion) {
+    let image = picture(SIDE);
     let curve = srgb::EightBitSteps::new();
     let channels = || image.pixels().iter().flat_map(|pixel| pixel.to_array());
-    group.bench_function("8-bit steps computed", |b| {
+    let mut group = group(c, "steps");
+    group.bench_function("computed", |b| {
         b.iter(|| channels().map(|light| u32::from(srgb::to_u8(black_box(light)))).sum::<u32>());
     });
-    group.bench_function("8-bit steps looked up", |b| {
+    group.bench_function("looked up", |b| {
         b.iter(|| channels().map(|light| u32::from(curve.nearest(black_box(light)))).sum::<u32>());
-    });
-    let dimmed = Image::from_fn(1024, 1024, |i, j| 0.9 * image.get(i, j));
-    group.bench_function("difference", |b| {
-        b.iter(|| difference(black_box(&image), &dimmed, 0.1));
     });
     group.finish();
 }
 
-criterion_group!(benches, files);
+/// What does it take to say whether two pictures show the same?
+fn compare(c: &mut Criterion) {
+    let image = picture(SIDE);
+    let dimmed = Image::from_fn(SIDE, SIDE, |i, j| 0.9 * image.get(i, j));
+    let mut group = group(c, "difference");
+    group.bench_function("of two pictures", |b| b.iter(|| difference(black_box(&image), &dimmed, 0.1)));
+    group.finish();
+}
+
+criterion_group!(benches, files, steps, compare);
 criterion_main!(benches);

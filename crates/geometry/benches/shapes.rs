@@ -1,42 +1,63 @@
-//! How long does it take to make a mesh, and to read one?
+//! What do triangles cost, before anything is drawn? Saying where in one a point lies (L48), building a shape, reading a mesh.
+//!
+//! `cargo bench -p geometry -- barycentric` runs one question alone; the others are `shapes` and `obj`.
 
 use std::fmt::Write;
 use std::hint::black_box;
 use std::time::Duration;
 
-use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use geometry::Mesh;
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use geometry::shapes::{icosphere, teapot, uv_sphere};
+use geometry::{Barycentric, Mesh, Triangle};
+use glam::vec3;
 
-/// Building a shape: four times the work with each level.
-fn build(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("build");
-    group.sample_size(20).measurement_time(Duration::from_secs(2)).warm_up_time(Duration::from_millis(300));
-    for level in [1, 3, 5] {
-        for (name, shape) in
-            [("uv_sphere", uv_sphere as fn(u32) -> _), ("icosphere", icosphere), ("teapot", teapot)]
-        {
-            let triangles = shape(level).expect("small level").len();
-            group.throughput(Throughput::Elements(triangles as u64));
-            group.bench_function(BenchmarkId::new(name, level), |b| {
-                b.iter(|| shape(black_box(level)));
-            });
-        }
-    }
+fn group<'c>(criterion: &'c mut Criterion, question: &str) -> BenchmarkGroup<'c, WallTime> {
+    let mut group = criterion.benchmark_group(question);
+    group.sample_size(20).measurement_time(Duration::from_secs(1)).warm_up_time(Duration::from_millis(300));
+    group
 }
 
-/// Reading OBJ text: many triangles, and one large concave face.
-fn parse_obj(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("parse_obj");
-    group.sample_size(20).measurement_time(Duration::from_secs(2)).warm_up_time(Duration::from_millis(300));
-    let pot = obj_text(&teapot(3).expect("small level"));
+/// Is it dearer to find a point's weights than to find the point of given weights?
+fn barycentric(criterion: &mut Criterion) {
+    let triangle = Triangle::new(vec3(0.3, 0.1, 1.0), vec3(4.0, 0.5, 1.5), vec3(0.2, 8.0, 0.7));
+    let weights = Barycentric::from_beta_gamma(0.25, 0.6);
+    let p = triangle.point(weights);
+    let mut group = group(criterion, "barycentric");
+    group.bench_function("point of weights", |b| b.iter(|| black_box(&triangle).point(black_box(weights))));
+    group.bench_function("weights of a point", |b| b.iter(|| black_box(&triangle).barycentric(black_box(p))));
+    group.finish();
+}
+
+/// Which ball is built sooner? Time for each triangle, of about as many; and the teapot's patches beside them.
+fn shapes(criterion: &mut Criterion) {
+    let mut group = group(criterion, "shapes");
+    for (name, shape, level) in
+        [("uv_sphere", uv_sphere as fn(u32) -> _, 4), ("icosphere", icosphere, 4), ("teapot", teapot, 2)]
+    {
+        let triangles = shape(level).expect("small level").len();
+        group.throughput(Throughput::Elements(triangles as u64));
+        group
+            .bench_function(format!("{name}, {triangles} triangles"), |b| b.iter(|| shape(black_box(level))));
+    }
+    group.finish();
+}
+
+/// How much longer does it take to read a mesh than to build it? And does a face with many dents cost more than a mesh of
+/// as many triangles?
+fn obj(criterion: &mut Criterion) {
+    let mut group = group(criterion, "obj");
+    let pot = teapot(2).expect("small level");
     let comb = comb_text(1000);
-    for (name, text) in [("teapot, 16256 triangles", &pot), ("a comb of 1000 teeth in one face", &comb)] {
-        group.throughput(Throughput::Bytes(text.len() as u64));
+    group.bench_function("teapot built, 4032 triangles", |b| b.iter(|| teapot(black_box(2))));
+    for (name, text) in
+        [("teapot read, 4032 triangles", &obj_text(&pot)), ("comb read, 2000 triangles", &comb)]
+    {
         let read =
             || geometry::obj::parse(black_box(text.as_bytes()), "bench.obj", &mut |_| Err(String::new()));
         group.bench_function(name, |b| b.iter(read));
     }
+    group.finish();
 }
 
 fn obj_text(mesh: &Mesh) -> String {
@@ -65,5 +86,5 @@ fn comb_text(teeth: u32) -> String {
     text + "f " + &corners.join(" ") + "\n"
 }
 
-criterion_group!(benches, build, parse_obj);
+criterion_group!(benches, barycentric, shapes, obj);
 criterion_main!(benches);

@@ -1,4 +1,6 @@
 //! How long does a whole picture take? And when does object order lose to image order (L21)?
+//!
+//! `cargo bench -p scene -- order` runs one question alone; the other is `renderers`.
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -18,7 +20,7 @@ fn draw(prepared: &Prepared, settings: &Settings) -> f32 {
 /// The teapot by all three renderers.
 fn renderers(c: &mut Criterion) {
     let prepared = prepare(&builtin::all()[0].load().expect("built in")).expect("built in");
-    let mut group = c.benchmark_group("teapot 320x240");
+    let mut group = c.benchmark_group("renderers, teapot 320 × 240");
     for (name, renderer) in Renderer::ALL {
         let settings = settings(*renderer);
         draw(&prepared, &settings); // The hierarchy is built once, and not in this measurement.
@@ -37,7 +39,7 @@ fn ball(level: u32) -> Loaded {
 }
 
 fn crossover(c: &mut Criterion) {
-    let mut group = c.benchmark_group("object order against image order");
+    let mut group = c.benchmark_group("order: object or image");
     for level in [1, 3, 5, 7] {
         let prepared = prepare(&ball(level)).expect("built in");
         for renderer in [Renderer::ZBuffer, Renderer::Raytrace] {

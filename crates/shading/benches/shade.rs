@@ -1,13 +1,17 @@
-//! What do the three shadings cost, and what does computing only the visible colours save?
+//! What do the three shadings cost (L37, L38, L40), and what does computing only the visible colours save (E16)?
+//!
+//! `cargo bench -p shading -- shadings` runs one question alone; the others are `overdraw` and `normals`. All of it runs on one
+//! thread: what more of them gain hangs on the machine.
 
 use std::hint::black_box;
 use std::time::Duration;
 
-use canvas::Rgb;
+use canvas::{Image, Rgb};
 use criterion::{Criterion, criterion_group, criterion_main};
 use geometry::shapes::teapot;
 use glam::{Mat4, Vec3, vec3};
 use lighting::{Highlight, Light, Material};
+use shading::fast::{self, Faces};
 use shading::{Object, Shading, Visibility, World, render, render_plain, vertex_normals};
 use transforms::{Camera, Pipeline, ViewVolume};
 use zbuffer::DepthFormat;
@@ -41,36 +45,50 @@ fn with_world(measure: impl FnOnce(&World)) {
     });
 }
 
+const SHADINGS: [Shading; 3] = [Shading::Flat, Shading::Gouraud, Shading::Phong];
+
+fn one_thread() -> rayon::ThreadPool {
+    rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread")
+}
+
+/// The three of them, by the slide's loop and by the fast version.
 fn shadings(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("shadings, 4 × 16,256 triangles, 512 × 512");
-    for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
+    let pool = one_thread();
+    for shading in SHADINGS {
         with_world(|world| {
             let pipeline = pipeline();
-            group.bench_function(format!("{shading:?}"), |b| {
-                b.iter(|| render(black_box(world), &pipeline, shading, Visibility::default()));
+            group.bench_function(format!("slide, {shading:?}"), |b| {
+                b.iter(|| render_plain(black_box(world), &pipeline, shading, DepthFormat::F32));
             });
+            let mut renderer = fast::Renderer::new();
+            let mut image = Image::new(512, 512, Rgb::ZERO);
+            let mut draw =
+                || renderer.render_into(black_box(world), &pipeline, shading, Faces::Both, &mut image);
+            group.bench_function(format!("fast, {shading:?}"), |b| pool.install(|| b.iter(&mut draw)));
         });
     }
     group.finish();
 }
 
-fn plain_and_fast(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("Phong shading, 4 × 16,256 triangles, 512 × 512");
+/// Phong shading inside the loop and after it, by the same rasterizer; then by the fast one.
+fn overdraw(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("overdraw, Phong, 4 × 16,256 triangles, 512 × 512");
+    let pool = one_thread();
     with_world(|world| {
         let pipeline = pipeline();
-        group.bench_function("plain", |b| {
+        group.bench_function("shaded in the loop (slide)", |b| {
             b.iter(|| render_plain(black_box(world), &pipeline, Shading::Phong, DepthFormat::F32));
         });
-        group.bench_function("fast", |b| {
-            b.iter(|| render(black_box(world), &pipeline, Shading::Phong, Visibility::default()));
-        });
+        let render = || render(black_box(world), &pipeline, Shading::Phong, Visibility::default());
+        group.bench_function("what is visible shaded", |b| pool.install(|| b.iter(render)));
     });
     group.finish();
 }
 
 fn normals(criterion: &mut Criterion) {
     let mesh = teapot(3).expect("a level in range");
-    criterion.bench_function("vertex normals, 16,256 triangles", |b| {
+    criterion.bench_function("normals of vertices, 16,256 triangles", |b| {
         b.iter(|| vertex_normals(black_box(&mesh), shading::CREASE_ANGLE));
     });
 }
@@ -80,7 +98,7 @@ criterion_group! {
     config = Criterion::default()
         .sample_size(20)
         .warm_up_time(Duration::from_millis(300))
-        .measurement_time(Duration::from_secs(2));
-    targets = shadings, plain_and_fast, normals
+        .measurement_time(Duration::from_secs(1));
+    targets = shadings, overdraw, normals
 }
 criterion_main!(benches);

@@ -1,4 +1,6 @@
-//! How long does a point take from world to screen: six factors one by one, stage by stage, or one matrix?
+//! What is saved by multiplying the matrices once instead of every point by all of them? (L5)
+//!
+//! `cargo bench -p transforms -- chain`
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -14,8 +16,8 @@ fn chain(c: &mut Criterion) {
     let points: Vec<Vec3> =
         (0..1000).map(|k| vec3((k % 10) as f32, (k / 10 % 10) as f32, -(k / 100) as f32)).collect();
 
-    let mut group = c.benchmark_group("world to screen, 1000 points");
-    group.sample_size(20).measurement_time(Duration::from_secs(2)).warm_up_time(Duration::from_millis(500));
+    let mut group = c.benchmark_group("chain, 1000 points");
+    group.sample_size(20).measurement_time(Duration::from_secs(1)).warm_up_time(Duration::from_millis(500));
     let factors = pipeline.factors().map(|factor| factor.matrix);
     group.bench_function("six factors one by one", |b| {
         b.iter(|| {

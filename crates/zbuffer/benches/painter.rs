@@ -2,6 +2,8 @@
 //!
 //! The triangles become smaller as they become more, so that they cover the same screen four times: filling it costs the
 //! same, ordering grows.
+//!
+//! `cargo bench -p zbuffer -- painter`
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -71,18 +73,18 @@ fn fill(triangles: &[ScreenTriangle], depth: &mut [f32]) {
 }
 
 fn painter_against_depth_buffer(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("painter_against_depth_buffer");
-    group.sample_size(20).measurement_time(Duration::from_secs(2)).warm_up_time(Duration::from_millis(300));
+    let mut group = criterion.benchmark_group("painter against depth buffer");
+    group.sample_size(20).measurement_time(Duration::from_secs(1)).warm_up_time(Duration::from_millis(300));
     let mut depth = vec![0.0; (WIDTH * HEIGHT) as usize];
-    let scattered = [100, 1_000, 10_000].map(|count| (format!("scattered_{count}"), scattered(count)));
+    let scattered = [100, 1_000, 10_000].map(|count| (format!("{count} scattered"), scattered(count)));
     let mesh = mesh();
-    let mesh = (format!("mesh_{}", mesh.len()), mesh);
+    let mesh = (format!("{} of a mesh", mesh.len()), mesh);
     for (name, triangles) in scattered.into_iter().chain([mesh]) {
         assert!(painter::order(&triangles).is_ok(), "{name}: a search that ends at a cycle measures nothing");
         group.bench_with_input(BenchmarkId::new("order", &name), &triangles, |bencher, triangles| {
             bencher.iter(|| painter::order(black_box(triangles)));
         });
-        group.bench_with_input(BenchmarkId::new("depth_buffer", &name), &triangles, |bencher, triangles| {
+        group.bench_with_input(BenchmarkId::new("depth buffer", &name), &triangles, |bencher, triangles| {
             bencher.iter(|| fill(black_box(triangles), &mut depth));
         });
     }

@@ -1,14 +1,19 @@
-//! What does a triangle cost, before its pixels and for each of them?
+//! What does a triangle cost, before its pixels and for each of them? And a whole frame of them?
+//!
+//! `cargo bench -p zbuffer -- triangle` runs one question alone; the others are `project`, `layers` and `frame`, and
+//! `painter` (L13, L16).
 
 use std::hint::black_box;
 use std::time::Duration;
 
 use canvas::{Image, Rgb};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use geometry::shapes::torus;
 use geometry::{Barycentric, Triangle};
-use glam::{Vec3, vec3};
+use glam::{Mat4, Vec3, vec3};
 use transforms::{Camera, Pipeline, ViewVolume};
 use zbuffer::draw::{draw, draw_fast};
+use zbuffer::fast::{Band, Faces, Part, Projected};
 use zbuffer::{
     DepthBuffer, DepthFormat, Fragment, ScreenTriangle, ScreenVertex, project, rasterize, rasterize_rows,
 };
@@ -37,7 +42,7 @@ fn sum(total: &mut f32, f: Fragment) {
 }
 
 fn fill(c: &mut Criterion) {
-    let mut group = c.benchmark_group("set-up and fill");
+    let mut group = c.benchmark_group("triangle");
     for (name, triangle) in shapes() {
         let mut pixels = 0;
         rasterize(&triangle, SIDE, SIDE, |_| pixels += 1);
@@ -81,8 +86,8 @@ fn z_buffer(c: &mut Criterion) {
     // Front to back colours each pixel once, back to front eight times: the two extremes.
     let layers: Vec<_> =
         (0..8).map(|k| ScreenTriangle { vertices: front.vertices.map(|v| moved_away(v, k)) }).collect();
-    let mut group = c.benchmark_group("z-buffer, 8 large layers");
-    for format in [DepthFormat::F32, DepthFormat::Bits24, DepthFormat::Bits16] {
+    let mut group = c.benchmark_group("layers, 8 large ones");
+    for format in [DepthFormat::F32, DepthFormat::Bits16] {
         let mut image = Image::new(SIDE, SIDE, Rgb::ZERO);
         let mut depth = DepthBuffer::new(SIDE, SIDE, format);
         let color = |f: &Fragment| f.weights.to_vec3();
@@ -113,6 +118,51 @@ fn moved_away(vertex: ScreenVertex, layer: u16) -> ScreenVertex {
     ScreenVertex { position: vertex.position.with_z(z), ..vertex }
 }
 
+/// Which triangle is the nearest in each pixel? The slide's loop, by rows, and by bands with blocks of pixels; on one thread.
+fn frame(c: &mut Criterion) {
+    let mesh = torus(1.6, 0.7, 5).expect("a level in range");
+    let camera = Camera::look_at(vec3(1.0, 3.0, 4.0), Vec3::ZERO, Vec3::Y).expect("a fixed camera");
+    let volume = ViewVolume::from_fov_y(0.9, 1.0, -1.0, -20.0).expect("a valid volume");
+    let pipeline = Pipeline::new(camera, volume, SIDE, SIDE).expect("a valid pipeline");
+    let clip_from_world = pipeline.clip_from_world();
+    let mut depth = DepthBuffer::new(SIDE, SIDE, DepthFormat::F32);
+    let mut numbers = vec![usize::MAX; (SIDE * SIDE) as usize];
+    let mut group = c.benchmark_group(format!("frame, {} triangles, {SIDE} × {SIDE}", mesh.len()));
+    group.sample_size(10).measurement_time(Duration::from_secs(1));
+    for (name, by_rows) in [("slide", false), ("rows", true)] {
+        group.bench_function(name, |b| {
+            b.iter(|| {
+                depth.clear();
+                for k in 0..mesh.len() {
+                    let mut test = |f: Fragment| {
+                        if depth.test_and_set(f.i, f.j, f.z) {
+                            numbers[(f.j * SIDE + f.i) as usize] = k;
+                        }
+                    };
+                    for triangle in project(&clip_from_world, SIDE, SIDE, &mesh.triangle(k)).triangles() {
+                        if by_rows {
+                            rasterize_rows(&triangle, SIDE, 0..SIDE, &mut test);
+                        } else {
+                            rasterize(&triangle, SIDE, SIDE, &mut test);
+                        }
+                    }
+                }
+            });
+        });
+    }
+    let parts = [Part { mesh: &mesh, world_from_object: Mat4::IDENTITY }];
+    let (mut projected, mut band) = (Projected::default(), Band::default());
+    let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+    for (name, faces) in [("fast", Faces::Both), ("fast, fronts only", Faces::Front)] {
+        let mut draw = || {
+            projected.project(black_box(&parts), &pipeline, faces);
+            (0..projected.bands()).for_each(|b| band.draw(b, &projected, &parts));
+        };
+        group.bench_function(name, |b| one_thread.install(|| b.iter(&mut draw)));
+    }
+    group.finish();
+}
+
 fn quick() -> Criterion {
     Criterion::default()
         .sample_size(20)
@@ -123,6 +173,6 @@ fn quick() -> Criterion {
 criterion_group! {
     name = benches;
     config = quick();
-    targets = fill, clip, z_buffer
+    targets = fill, clip, z_buffer, frame
 }
 criterion_main!(benches);

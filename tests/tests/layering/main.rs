@@ -127,6 +127,22 @@ fn nothing_depends_on_these_tests_and_they_have_no_code_of_their_own() {
 }
 
 #[test]
+fn no_crate_needs_the_renderers_that_ours_is_compared_with() {
+    let text = read(&workspace().join("tests/peers/Cargo.toml"));
+    // What the comparison needs and the workspace's table does not name.
+    let table = read(&workspace().join("Cargo.toml"));
+    let peers: Vec<String> = manifest::dependencies(&text)
+        .into_iter()
+        .filter(|name| !table.lines().any(|line| line.starts_with(&format!("{name} = "))))
+        .collect();
+    assert!(peers.contains(&"euc".to_owned()) && !peers.contains(&"obvhs".to_owned()), "{peers:?}");
+    for Manifest { name, dependencies, dev_dependencies, .. } in &manifests() {
+        let mut all = dependencies.iter().chain(dev_dependencies);
+        assert!(!all.any(|d| peers.contains(d) || d == "lightlab-peers"), "{name} depends on a peer");
+    }
+}
+
+#[test]
 fn no_crate_has_unsafe_code() {
     for Manifest { name, folder, .. } in &manifests() {
         let source = folder.join("src");
