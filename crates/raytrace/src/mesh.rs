@@ -1,14 +1,10 @@
 //! How can a hundred teapots cost no more memory than one? They share one mesh, made ready for rays once.
 
-use std::collections::HashSet;
-
 use geometry::{Aabb, Mesh, Triangle};
-use glam::Vec3;
 
-use crate::hierarchy::{BoxRay, Hierarchy};
+use crate::fast::mesh::Leaves;
 use crate::query::Nearest;
 use crate::space::SpaceRay;
-use crate::triangle::TriangleHit;
 use crate::triangle::watertight::ShearedRay;
 
 /// A mesh with its own hierarchy of boxes, in its own space; put it in an `Arc` and use it in as many objects as you like.
@@ -17,9 +13,7 @@ use crate::triangle::watertight::ShearedRay;
 #[derive(Clone, Debug)]
 pub struct TracedMesh {
     mesh: Mesh,
-    hierarchy: Hierarchy,
-    /// The corners of the triangles in the order of the leaves, so that a leaf's triangles lie side by side.
-    corners: Vec<[Vec3; 3]>,
+    leaves: Leaves,
 }
 
 impl TracedMesh {
@@ -37,18 +31,16 @@ impl TracedMesh {
     /// ```
     #[must_use]
     pub fn new(mesh: Mesh) -> Self {
-        let mut seen = HashSet::new();
-        let mut box_of = |k: usize| {
+        // No ray hits a triangle with two equal corners; and of equal triangles the first one wins every tie.
+        // Files have either by the thousand, and a tree of equal boxes has no good shape.
+        let mut seen = Seen::new(mesh.len());
+        let box_of = |k: usize| {
             let triangle = mesh.triangle(k);
-            // No ray hits a triangle with two equal corners; and of equal triangles the first one wins every tie.
-            // Files have either by the thousand, and a tree of equal boxes has no good shape.
-            let key = triangle.corners().map(|corner| corner.to_array().map(f32::to_bits));
-            if has_equal_corners(&triangle) || !seen.insert(key) { Aabb::EMPTY } else { triangle.aabb() }
+            if has_equal_corners(&triangle) || !seen.insert(&mesh, k) { Aabb::EMPTY } else { triangle.aabb() }
         };
-        let boxes: Vec<Aabb> = (0..mesh.len()).map(&mut box_of).collect();
-        let hierarchy = Hierarchy::new(&boxes);
-        let corners = hierarchy.order().iter().map(|k| mesh.triangle(*k as usize).corners()).collect();
-        Self { mesh, hierarchy, corners }
+        let boxes: Vec<Aabb> = (0..mesh.len()).map(box_of).collect();
+        let leaves = Leaves::new(&mesh, &boxes);
+        Self { mesh, leaves }
     }
 
     /// The mesh.
@@ -67,40 +59,50 @@ impl TracedMesh {
         }
     }
 
-    /// The same through the hierarchy.
-    pub(crate) fn nearest(&self, ray: &SpaceRay, nearest: &mut Nearest) {
-        let Some(box_ray) = BoxRay::new(ray) else {
-            return self.nearest_brute(ray, nearest);
-        };
-        let sheared = ShearedRay::new(ray);
-        let (t0, t1) = nearest.interval();
-        self.hierarchy.walk(&box_ray, t0, t1, |leaf| {
-            for (k, corners) in self.hierarchy.order()[leaf.clone()].iter().zip(&self.corners[leaf]) {
-                if let Some(hit) = sheared.hit(corners) {
-                    nearest.offer(*k, hit);
-                }
-            }
-            nearest.interval().1
-        });
+    /// Whether the ray hits any triangle with t0 < t < t1, by the slide's loop.
+    pub(crate) fn any_brute(&self, ray: &SpaceRay, t0: f32, t1: f32) -> bool {
+        let ray = ShearedRay::new(ray);
+        let hits = (0..self.mesh.len()).filter_map(|k| ray.hit(&self.mesh.triangle(k).corners()));
+        hits.into_iter().any(|hit| t0 < hit.t && hit.t < t1)
     }
 
-    /// Whether the ray hits any triangle with t0 < t < t1.
-    pub(crate) fn any(&self, ray: &SpaceRay, t0: f32, t1: f32) -> bool {
-        let between = |hit: &TriangleHit| t0 < hit.t && hit.t < t1;
-        let sheared = ShearedRay::new(ray);
-        let Some(box_ray) = BoxRay::new(ray) else {
-            return self.corners.iter().filter_map(|corners| sheared.hit(corners)).any(|hit| between(&hit));
-        };
-        let mut found = false;
-        self.hierarchy.walk(&box_ray, t0, t1, |leaf| {
-            found =
-                self.corners[leaf].iter().filter_map(|corners| sheared.hit(corners)).any(|hit| between(&hit));
-            if found { f32::NEG_INFINITY } else { t1 }
-        });
-        found
+    pub(crate) fn leaves(&self) -> &Leaves {
+        &self.leaves
     }
 }
 
 fn has_equal_corners(triangle: &Triangle) -> bool {
     triangle.a == triangle.b || triangle.b == triangle.c || triangle.c == triangle.a
+}
+
+/// Triangles that were there already: a table of numbers, by what is mixed of the bits of the corners.
+struct Seen {
+    table: Vec<u32>,
+}
+
+impl Seen {
+    /// Room for twice as many as may come.
+    fn new(triangles: usize) -> Self {
+        Self { table: vec![u32::MAX; (2 * triangles).next_power_of_two()] }
+    }
+
+    /// Whether triangle `k` is the first of its kind.
+    fn insert(&mut self, mesh: &Mesh, k: usize) -> bool {
+        let key = |k: usize| mesh.triangle(k).corners().map(|corner| corner.to_array().map(f32::to_bits));
+        let wanted = key(k);
+        // An odd number with well-mixed bits; multiplying carries each bit upwards, so the upper ones are taken.
+        let mix = |h: u64, bits: &u32| (h.rotate_left(5) ^ u64::from(*bits)).wrapping_mul(0x517c_c1b7_2722_0a95);
+        let hash = wanted.as_flattened().iter().fold(0, mix);
+        let mut place = (hash >> 32) as usize & (self.table.len() - 1);
+        loop {
+            match self.table[place] {
+                u32::MAX => {
+                    self.table[place] = k as u32;
+                    return true;
+                }
+                there if key(there as usize) == wanted => return false,
+                _ => place = (place + 1) & (self.table.len() - 1),
+            }
+        }
+    }
 }
