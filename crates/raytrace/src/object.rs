@@ -164,6 +164,11 @@ impl Object {
         &self.surfaces
     }
 
+    /// Whether the object's space is the world's.
+    pub(crate) fn is_in_place(&self) -> bool {
+        self.is_in_place
+    }
+
     /// A ray of the world in the object's space.
     #[inline(always)]
     pub(crate) fn ray_from_world(&self, ray: &SpaceRay) -> SpaceRay {

@@ -156,6 +156,11 @@ impl Nearest {
         }
     }
 
+    /// The next hits are on this object.
+    pub(crate) fn enter(&mut self, object: usize) {
+        self.object = object as u32;
+    }
+
     /// Offers every hit of the slide's loop (L43).
     pub(crate) fn in_all_objects(&mut self, world: &World, ray: &SpaceRay) {
         for k in 0..world.objects().len() {
@@ -194,7 +199,7 @@ impl World {
     pub fn hit(&self, ray: &Ray, met: &Met) -> Hit {
         let Met { t, object, triangle, weights } = *met;
         let (object, triangle) = (object as usize, triangle as usize);
-        let ray = SpaceRay { origin: ray.origin.as_dvec3(), direction: ray.direction.as_dvec3() };
+        let ray = SpaceRay::of(ray);
         let thing = &self.objects()[object];
         let p_object = thing.ray_from_world(&ray).at(f64::from(t));
         let (point, normal) = thing.point_and_normal(triangle, weights, p_object);

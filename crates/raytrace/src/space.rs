@@ -14,7 +14,13 @@ impl SpaceRay {
     /// `None` for a ray that is none: something is not finite, or the direction is zero.
     pub(crate) fn new(ray: &Ray) -> Option<Self> {
         let usable = ray.origin.is_finite() && ray.direction.is_finite() && ray.direction != glam::Vec3::ZERO;
-        usable.then(|| Self { origin: ray.origin.as_dvec3(), direction: ray.direction.as_dvec3() })
+        usable.then(|| Self::of(ray))
+    }
+
+    /// The same ray in f64, whatever its numbers.
+    #[inline]
+    pub(crate) fn of(ray: &Ray) -> Self {
+        Self { origin: ray.origin.as_dvec3(), direction: ray.direction.as_dvec3() }
     }
 
     /// The same ray in another space; t keeps its meaning.

@@ -8,8 +8,10 @@
 //! One ray is a bundle too, as thick as the rounding of its numbers to f32: so the boxes lose nothing (after Ize, *Robust
 //! BVH Ray Traversal*, JCGT 2013), and the test needs no further allowance.
 
-use glam::DVec3;
+use fearless_simd::{f32x8, prelude::*};
+use glam::{DVec3, Vec3};
 
+use super::crossing::Lanes;
 use crate::space::SpaceRay;
 
 /// Along one axis.
@@ -34,63 +36,76 @@ pub(crate) struct Bundle {
 /// What rounding the origin to f32 may lose, 2⁻²⁴ of it, four times over: so much that adding it never rounds to nothing.
 const ORIGIN_SLACK: f32 = 2.0 * f32::EPSILON;
 
-/// t of a side is computed with four roundings, and the t of a hit is rounded once: together 5 · 2⁻²⁴ of it; this is
-/// three times that.
+/// t of a side is computed with five roundings, and the t of a hit is rounded once: together 6 · 2⁻²⁴ of it; this is
+/// more than twice that.
 const T_SLACK: f32 = 8.0 * f32::EPSILON;
 
-/// Beyond this, and below its inverse, f32 would over- or underflow in the boxes.
-const TAME: f64 = 1e30;
+/// Beyond this, and directions below its inverse, f32 would over- or underflow in the boxes.
+const TAME: f32 = 1e30;
 
 impl Bundle {
-    /// The bundle of these rays, for hits from `t0` on. `None` if they run to different sides, if there is no ray, or if
-    /// numbers are so large or small that f32 would over- or underflow.
-    #[inline]
-    pub(crate) fn new<'a>(rays: impl IntoIterator<Item = &'a SpaceRay>, t0: f32) -> Option<Self> {
-        let mut origins = [DVec3::INFINITY, DVec3::NEG_INFINITY];
-        let mut inverses = [DVec3::INFINITY, DVec3::NEG_INFINITY];
-        let mut fastest = DVec3::ZERO;
-        for ray in rays {
-            let inverse = ray.direction.recip();
-            origins = [origins[0].min(ray.origin), origins[1].max(ray.origin)];
-            inverses = [inverses[0].min(inverse), inverses[1].max(inverse)];
-            fastest = fastest.max(ray.direction.abs());
-        }
-        let before = if t0 < 0.0 { -t0 } else { 0.0 };
-        if !(f64::from(before) < TAME) {
+    /// The bundle of one ray, for hits from `t0` on. `None` if numbers are so large or small that f32 would over- or
+    /// underflow.
+    #[inline(always)]
+    pub(crate) fn of_one(ray: &SpaceRay, t0: f32) -> Option<Self> {
+        let (origin, direction) = (ray.origin.as_vec3(), ray.direction.as_vec3());
+        let inverse = direction.recip();
+        let tame = direction.abs().cmpgt(Vec3::splat(TAME.recip())) | direction.cmpeq(Vec3::ZERO);
+        // Where the direction in f64 is so small that it is nothing in f32, it is not nothing.
+        let vanished = direction.cmpeq(Vec3::ZERO).bitmask() != ray.direction.cmpeq(DVec3::ZERO).bitmask();
+        let before = before(t0)?;
+        if vanished || !(tame.all() && direction.abs().max_element() < TAME && origin.abs().max_element() < TAME) {
             return None;
         }
         let mut slabs = [Slab::default(); 3];
-        for (axis, slab) in slabs.iter_mut().enumerate() {
-            // A t below 0 grows where it should shrink: as much is added to the origin's slack.
-            let more = before * T_SLACK * 2.0 * fastest[axis] as f32;
-            *slab = Slab::new(origins.map(|o| o[axis]), inverses.map(|i| i[axis]), more)?;
+        for axis in 0..3 {
+            let more = before * direction[axis].abs();
+            slabs[axis] = Slab::new([origin[axis]; 2], [inverse[axis]; 2], more);
+        }
+        Some(Self { slabs, t0 })
+    }
+
+    /// The bundle of eight rays. `None` too if they run to different sides.
+    #[inline(always)]
+    pub(crate) fn of_eight<S: Simd>(simd: S, rays: &Lanes<S>, t0: f32) -> Option<Self> {
+        let before = before(t0)?;
+        let mut slabs = [Slab::default(); 3];
+        for axis in 0..3 {
+            let (o, d) = (rays.origin[axis], rays.direction[axis]);
+            let speed = d.abs();
+            let tame = speed.simd_gt(TAME.recip()) | d.simd_eq(f32x8::splat(simd, 0.0));
+            let inverse = f32x8::splat(simd, 1.0) / d;
+            let (least, most) = (inverse.reduce_min(), inverse.reduce_max());
+            if !tame.all_true() || least.is_sign_positive() != most.is_sign_positive() {
+                return None;
+            }
+            let fastest = if before > 0.0 { speed.reduce_max() } else { 0.0 };
+            slabs[axis] = Slab::new([o.reduce_min(), o.reduce_max()], [least, most], before * fastest);
         }
         Some(Self { slabs, t0 })
     }
 }
 
+/// A t below 0 shrinks where it should grow: as much as this, times the speed, is added to the origin's slack.
+#[inline(always)]
+fn before(t0: f32) -> Option<f32> {
+    let before = if t0 < 0.0 { -4.0 * T_SLACK * t0 } else { 0.0 };
+    (before < TAME.sqrt()).then_some(before)
+}
+
 impl Slab {
-    #[inline]
-    fn new(origins: [f64; 2], inverses: [f64; 2], more: f32) -> Option<Self> {
-        let tame = |o: f64| o == 0.0 || (TAME.recip()..TAME).contains(&o.abs());
-        let steep = |i: f64| i.is_infinite() || (TAME.recip()..TAME).contains(&i.abs());
-        if !(origins.into_iter().all(tame) && inverses.into_iter().all(steep)) {
-            return None;
-        }
-        let forward = inverses.map(|i| i.is_sign_positive());
-        if forward[0] != forward[1] {
-            return None;
-        }
-        let [low, high] = origins.map(|o| o as f32);
+    /// Between two origins and two inverse directions of one sign; `more` is added to the slack.
+    #[inline(always)]
+    fn new([low, high]: [f32; 2], [least, most]: [f32; 2], more: f32) -> Self {
         // Never 0, so that a ray that runs inside a side of a box meets 0 · ∞ nowhere.
-        let slack = |o: f32| ORIGIN_SLACK * o.abs() + f32::MIN_POSITIVE + more;
-        let (low, high) = (low - slack(low), high + slack(high));
-        let [least, most] = inverses.map(|i| i as f32);
-        let (less, more) = (1.0 - T_SLACK, 1.0 + T_SLACK);
-        Some(if forward[0] {
-            Self { enter: (high, least * less), leave: (low, most * more), side: 0 }
+        let more = more + f32::MIN_POSITIVE;
+        let low = low - (ORIGIN_SLACK * low.abs() + more);
+        let high = high + (ORIGIN_SLACK * high.abs() + more);
+        let (shorter, longer) = (1.0 - T_SLACK, 1.0 + T_SLACK);
+        if least.is_sign_positive() {
+            Self { enter: (high, least * shorter), leave: (low, most * longer), side: 0 }
         } else {
-            Self { enter: (low, most * less), leave: (high, least * more), side: 1 }
-        })
+            Self { enter: (low, most * shorter), leave: (high, least * longer), side: 1 }
+        }
     }
 }

@@ -17,7 +17,7 @@ pub(crate) struct Leaves {
     pub(super) tree: Tree,
     pub(super) leaves: Vec<Leaf>,
     /// The greatest distance of a corner from the origin.
-    pub(super) reach: f64,
+    pub(super) reach: f32,
 }
 
 /// A triangle by its leaf and its place there.
@@ -32,7 +32,9 @@ impl Leaves {
     pub(crate) fn new(mesh: &Mesh, boxes: &[Aabb]) -> Self {
         let tree = Tree::new(boxes);
         let leaves = tree.leaves().iter().map(|numbers| Leaf::new(mesh, numbers)).collect();
-        let reach = mesh.positions().iter().map(|p| p.as_dvec3().length()).fold(0.0, f64::max);
+        // The sum of coordinates is greater than the length, by more than rounding unless it lies on an axis.
+        let far = mesh.positions().iter().map(|p| p.abs().element_sum()).fold(0.0, f32::max);
+        let reach = far * (1.0 + 4.0 * f32::EPSILON);
         Self { tree, leaves, reach }
     }
 
@@ -41,11 +43,11 @@ impl Leaves {
     #[inline(always)]
     pub(crate) fn nearest<S: Simd>(&self, simd: S, ray: &SpaceRay, nearest: &mut Nearest) -> bool {
         let (t0, t1) = nearest.interval();
-        let (Some(bundle), Some(probe)) = (Bundle::new([ray], t0), Probe::new(ray, self.reach)) else {
+        let (Some(bundle), Some(probe)) = (Bundle::of_one(ray, t0), Probe::new(ray, self.reach)) else {
             return false;
         };
         let mut best = Best::new(t1);
-        self.tree.walk(simd, &bundle, t1, |leaf| {
+        self.tree.walk(simd, &bundle, t1, #[inline(always)] |leaf| {
             if let Some(candidates) = self.leaves[leaf].candidates(simd, &probe) {
                 self.take(ray, leaf, &candidates, &mut best, nearest);
             }
@@ -58,9 +60,9 @@ impl Leaves {
     /// Whether the ray hits any triangle with t0 < t < t1, if its numbers are in the range of f32.
     #[inline(always)]
     pub(crate) fn any<S: Simd>(&self, simd: S, ray: &SpaceRay, t0: f32, t1: f32) -> Option<bool> {
-        let (bundle, probe) = (Bundle::new([ray], t0)?, Probe::new(ray, self.reach)?);
+        let (bundle, probe) = (Bundle::of_one(ray, t0)?, Probe::new(ray, self.reach)?);
         let mut found = false;
-        self.tree.walk(simd, &bundle, t1, |leaf| {
+        self.tree.walk(simd, &bundle, t1, #[inline(always)] |leaf| {
             if let Some(candidates) = self.leaves[leaf].candidates(simd, &probe) {
                 found = self.any_of(ray, leaf, &candidates, t0, t1);
             }

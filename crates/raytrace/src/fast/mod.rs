@@ -36,7 +36,7 @@ pub fn nearest_each(world: &World, rays: &[Ray], t0: f32, t1: f32, met: &mut [Op
     assert_eq!(rays.len(), met.len(), "an answer for each ray");
     dispatch!(world.level(), simd => {
         for (rays, met) in rays.chunks(LANES).zip(met.chunks_mut(LANES)) {
-            packet::nearest(simd, world, rays, t0, t1, met);
+            packet::nearest(simd, world, rays, (t0, t1), met);
         }
     });
 }
@@ -56,7 +56,7 @@ pub fn any_hit_each(world: &World, rays: &[Ray], t0: f32, t1: &[f32], met: &mut 
     assert!(rays.len() == met.len() && rays.len() == t1.len(), "an end and an answer for each ray");
     dispatch!(world.level(), simd => {
         for ((rays, t1), met) in rays.chunks(LANES).zip(t1.chunks(LANES)).zip(met.chunks_mut(LANES)) {
-            packet::any_hit(simd, world, rays, t0, t1, met);
+            packet::any_hit(simd, world, rays, (t0, t1), met);
         }
     });
 }
@@ -64,14 +64,20 @@ pub fn any_hit_each(world: &World, rays: &[Ray], t0: f32, t1: &[f32], met: &mut 
 #[inline(always)]
 fn nearest_of_one<S: Simd>(simd: S, world: &World, ray: &SpaceRay, t0: f32, t1: f32) -> Option<Met> {
     let mut nearest = Nearest::new(t0, t1);
-    let Some(bundle) = Bundle::new([ray], t0) else {
+    if world.tree().is_one_leaf() {
+        for k in 0..world.objects().len() {
+            nearest_in_object(simd, world, k as u32, ray, &mut nearest);
+        }
+        return nearest.met();
+    }
+    let Some(bundle) = Bundle::of_one(ray, t0) else {
         nearest.in_all_objects(world, ray);
         return nearest.met();
     };
     for k in world.unbounded() {
         nearest_in_object(simd, world, *k, ray, &mut nearest);
     }
-    world.tree().walk(simd, &bundle, nearest.interval().1, |leaf| {
+    world.tree().walk(simd, &bundle, nearest.interval().1, #[inline(always)] |leaf| {
         for &k in world.tree().leaves()[leaf].iter().filter(|k| **k != u32::MAX) {
             nearest_in_object(simd, world, k, ray, &mut nearest);
         }
@@ -82,7 +88,7 @@ fn nearest_of_one<S: Simd>(simd: S, world: &World, ray: &SpaceRay, t0: f32, t1: 
 
 #[inline(always)]
 fn nearest_in_object<S: Simd>(simd: S, world: &World, k: u32, ray: &SpaceRay, nearest: &mut Nearest) {
-    nearest.in_object(world, k as usize, ray, |traced, ray, nearest| {
+    nearest.in_object(world, k as usize, ray, #[inline(always)] |traced, ray, nearest| {
         if !traced.leaves().nearest(simd, ray, nearest) {
             traced.nearest_brute(ray, nearest);
         }
@@ -91,20 +97,43 @@ fn nearest_in_object<S: Simd>(simd: S, world: &World, k: u32, ray: &SpaceRay, ne
 
 #[inline(always)]
 fn any_of_one<S: Simd>(simd: S, world: &World, ray: &SpaceRay, t0: f32, t1: f32) -> bool {
-    let Some(bundle) = Bundle::new([ray], t0) else {
+    if world.tree().is_one_leaf() {
+        for object in world.objects() {
+            if any_in_object(simd, object, ray, t0, t1) {
+                return true;
+            }
+        }
+        return false;
+    }
+    let Some(bundle) = Bundle::of_one(ray, t0) else {
         let mut nearest = Nearest::new(t0, t1);
         nearest.in_all_objects(world, ray);
         return nearest.met().is_some();
     };
-    let is_met = |k: &u32| any_in_object(simd, &world.objects()[*k as usize], ray, t0, t1);
-    let mut found = world.unbounded().iter().any(is_met);
+    let mut found = any_of_objects(simd, world, world.unbounded(), ray, (t0, t1));
     if !found {
-        world.tree().walk(simd, &bundle, t1, |leaf| {
-            found = world.tree().leaves()[leaf].iter().filter(|k| **k != u32::MAX).any(is_met);
-            if found { f32::NEG_INFINITY } else { t1 }
-        });
+        world.tree().walk(
+            simd,
+            &bundle,
+            t1,
+            #[inline(always)]
+            |leaf| {
+                found = any_of_objects(simd, world, &world.tree().leaves()[leaf], ray, (t0, t1));
+                if found { f32::NEG_INFINITY } else { t1 }
+            },
+        );
     }
     found
+}
+
+#[inline(always)]
+fn any_of_objects<S: Simd>(simd: S, world: &World, numbers: &[u32], ray: &SpaceRay, (t0, t1): (f32, f32)) -> bool {
+    for &k in numbers.iter().filter(|k| **k != u32::MAX) {
+        if any_in_object(simd, &world.objects()[k as usize], ray, t0, t1) {
+            return true;
+        }
+    }
+    false
 }
 
 #[inline(always)]
@@ -112,7 +141,8 @@ fn any_in_object<S: Simd>(simd: S, object: &Object, ray: &SpaceRay, t0: f32, t1:
     let ray = object.ray_from_world(ray);
     match object.shape() {
         Shape::Mesh(traced) => {
-            traced.leaves().any(simd, &ray, t0, t1).unwrap_or_else(|| traced.any_brute(&ray, t0, t1))
+            let met = traced.leaves().any(simd, &ray, t0, t1);
+            met.unwrap_or_else(|| traced.any_brute(&ray, t0, t1))
         }
         shape => shape.crossings(&ray).into_iter().any(|t| t0 < t && t < t1),
     }

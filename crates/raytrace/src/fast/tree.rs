@@ -11,7 +11,7 @@
 use fearless_simd::{f32x8, prelude::*};
 use glam::Vec3A;
 
-use super::bundle::Bundle;
+use super::bundle::{Bundle, Slab};
 
 /// Children of a node.
 pub(crate) const WIDTH: usize = 8;
@@ -78,24 +78,32 @@ impl Node {
     /// Where the bundle enters each box, and which boxes it meets between t0 and `t1`, ends included, one bit each.
     #[inline(always)]
     fn entries<S: Simd>(&self, simd: S, bundle: &Bundle, t1: f32) -> (f32x8<S>, u32) {
-        let along = |axis: usize| {
-            let (slab, sides) = (&bundle.slabs[axis], &self.sides[axis]);
-            let side = |k: usize| f32x8::load_array_ref(simd, &sides[k & 1]);
-            let enter = (side(slab.side) - slab.enter.0) * slab.enter.1;
-            let leave = (side(slab.side ^ 1) - slab.leave.0) * slab.leave.1;
-            (enter, leave)
-        };
-        let [x, y, z] = [along(0), along(1), along(2)];
+        let x = along(simd, &self.sides[0], &bundle.slabs[0]);
+        let y = along(simd, &self.sides[1], &bundle.slabs[1]);
+        let z = along(simd, &self.sides[2], &bundle.slabs[2]);
         let enter = x.0.max(y.0).max(z.0.max(f32x8::splat(simd, bundle.t0)));
         let leave = x.1.min(y.1).min(z.1.min(f32x8::splat(simd, t1)));
         (enter, enter.simd_le(leave).to_bitmask() as u32)
     }
 }
 
+/// Where the bundle enters and leaves eight boxes along one axis.
+#[inline(always)]
+fn along<S: Simd>(simd: S, sides: &[[f32; WIDTH]; 2], slab: &Slab) -> (f32x8<S>, f32x8<S>) {
+    let near = f32x8::load_array_ref(simd, &sides[slab.side & 1]);
+    let far = f32x8::load_array_ref(simd, &sides[slab.side & 1 ^ 1]);
+    ((near - slab.enter.0) * slab.enter.1, (far - slab.leave.0) * slab.leave.1)
+}
+
 impl Tree {
     /// The things in each leaf; places that are not used hold [`u32::MAX`].
     pub(crate) fn leaves(&self) -> &[[u32; LEAF]] {
         &self.leaves
+    }
+
+    /// Whether there is so little that no box is worth a test: a leaf, or nothing.
+    pub(crate) fn is_one_leaf(&self) -> bool {
+        self.leaves.len() <= 1
     }
 
     /// Opens the leaves that the bundle meets with t up to `t1`, nearer boxes first, roughly.
@@ -182,7 +190,7 @@ impl Default for Stack {
 }
 
 impl Stack {
-    const FEW: usize = 64;
+    const FEW: usize = 32;
 
     #[inline(always)]
     fn len(&self) -> usize {
