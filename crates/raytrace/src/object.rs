@@ -140,13 +140,11 @@ impl Object {
         let Shape::Mesh(traced) = &self.shape else {
             return None;
         };
-        Some(
-            traced
-                .mesh()
-                .triangle(triangle)
-                .corners()
-                .map(|corner| self.to_world(corner.as_dvec3()).as_vec3()),
-        )
+        let corners = traced.mesh().triangle(triangle).corners();
+        if self.is_in_place {
+            return Some(corners);
+        }
+        Some(corners.map(|corner| self.to_world(corner.as_dvec3()).as_vec3()))
     }
 
     /// The unit normals at the corners of a triangle, world space, on the side of its front; `None` for other shapes
@@ -156,7 +154,12 @@ impl Object {
         let Shape::Mesh(traced) = &self.shape else {
             return None;
         };
-        let normals = traced.mesh().corner_normals(triangle)?.map(|n| self.normal_to_world(n.as_dvec3()));
+        let normals = traced.mesh().corner_normals(triangle)?;
+        if self.is_in_place {
+            // A mesh's normals have unit length.
+            return Some(normals);
+        }
+        let normals = normals.map(|n| self.normal_to_world(n.as_dvec3()));
         normals.iter().all(|n| *n != Vec3::ZERO).then_some(normals)
     }
 
@@ -208,10 +211,16 @@ impl Object {
     }
 
     fn normal_to_world(&self, n_object: DVec3) -> Vec3 {
+        if self.is_in_place {
+            return n_object.as_vec3();
+        }
         (self.normal_matrix * n_object).normalize_or_zero().as_vec3()
     }
 
     fn to_world(&self, p_object: DVec3) -> DVec3 {
+        if self.is_in_place {
+            return p_object;
+        }
         self.world_from_object.transform_point3(p_object)
     }
 }

@@ -8,6 +8,7 @@ mod crossing;
 mod leaf;
 pub(crate) mod mesh;
 mod packet;
+mod tiles;
 pub(crate) mod tree;
 
 use fearless_simd::{Simd, dispatch};
@@ -19,6 +20,7 @@ use crate::space::SpaceRay;
 use crate::world::World;
 use bundle::Bundle;
 use packet::LANES;
+pub(crate) use tiles::render;
 
 /// What [`crate::nearest_brute`] finds, without the point and the normal: [`World::hit`] adds them.
 #[must_use]
