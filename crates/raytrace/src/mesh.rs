@@ -1,6 +1,7 @@
 //! How can a hundred teapots cost no more memory than one? They share one mesh, made ready for rays once.
 
 use geometry::{Aabb, Mesh, Triangle};
+use rayon::prelude::*;
 
 use crate::fast::mesh::Leaves;
 use crate::query::Nearest;
@@ -33,12 +34,12 @@ impl TracedMesh {
     pub fn new(mesh: Mesh) -> Self {
         // No ray hits a triangle with two equal corners; and of equal triangles the first one wins every tie.
         // Files have either by the thousand, and a tree of equal boxes has no good shape.
-        let mut seen = Seen::new(mesh.len());
+        let is_first = are_first(&mesh);
         let box_of = |k: usize| {
             let triangle = mesh.triangle(k);
-            if has_equal_corners(&triangle) || !seen.insert(&mesh, k) { Aabb::EMPTY } else { triangle.aabb() }
+            if has_equal_corners(&triangle) || !is_first[k] { Aabb::EMPTY } else { triangle.aabb() }
         };
-        let boxes: Vec<Aabb> = (0..mesh.len()).map(box_of).collect();
+        let boxes: Vec<Aabb> = (0..mesh.len()).into_par_iter().map(box_of).collect();
         let leaves = Leaves::new(&mesh, &boxes);
         Self { mesh, leaves }
     }
@@ -75,34 +76,35 @@ fn has_equal_corners(triangle: &Triangle) -> bool {
     triangle.a == triangle.b || triangle.b == triangle.c || triangle.c == triangle.a
 }
 
-/// Triangles that were there already: a table of numbers, by what is mixed of the bits of the corners.
-struct Seen {
-    table: Vec<u32>,
+/// For each triangle, whether no earlier one has the same corners in the same order.
+fn are_first(mesh: &Mesh) -> Vec<bool> {
+    let mixed: Vec<u32> = (0..mesh.len()).into_par_iter().map(|k| mixed(&bits(mesh, k))).collect();
+    // A table of triangles by what their corners mix to, half of it empty; each place holds that and the triangle's number.
+    let mut table = vec![u64::MAX; (2 * mesh.len()).next_power_of_two()];
+    let mut is_new = |(k, &mixed): (usize, &u32)| {
+        let last = table.len() - 1;
+        let mut place = mixed as usize & last;
+        while table[place] != u64::MAX {
+            let there = table[place];
+            if (there >> 32) as u32 == mixed && bits(mesh, there as u32 as usize) == bits(mesh, k) {
+                return false;
+            }
+            place = (place + 1) & last;
+        }
+        table[place] = u64::from(mixed) << 32 | k as u64;
+        true
+    };
+    mixed.iter().enumerate().map(&mut is_new).collect()
 }
 
-impl Seen {
-    /// Room for twice as many as may come.
-    fn new(triangles: usize) -> Self {
-        Self { table: vec![u32::MAX; (2 * triangles).next_power_of_two()] }
-    }
+fn bits(mesh: &Mesh, k: usize) -> [u32; 9] {
+    let Triangle { a, b, c } = mesh.triangle(k);
+    [a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z].map(f32::to_bits)
+}
 
-    /// Whether triangle `k` is the first of its kind.
-    fn insert(&mut self, mesh: &Mesh, k: usize) -> bool {
-        let key = |k: usize| mesh.triangle(k).corners().map(|corner| corner.to_array().map(f32::to_bits));
-        let wanted = key(k);
-        // An odd number with well-mixed bits; multiplying carries each bit upwards, so the upper ones are taken.
-        let mix = |h: u64, bits: &u32| (h.rotate_left(5) ^ u64::from(*bits)).wrapping_mul(0x517c_c1b7_2722_0a95);
-        let hash = wanted.as_flattened().iter().fold(0, mix);
-        let mut place = (hash >> 32) as usize & (self.table.len() - 1);
-        loop {
-            match self.table[place] {
-                u32::MAX => {
-                    self.table[place] = k as u32;
-                    return true;
-                }
-                there if key(there as usize) == wanted => return false,
-                _ => place = (place + 1) & (self.table.len() - 1),
-            }
-        }
-    }
+/// A number that hangs on every bit.
+fn mixed(bits: &[u32; 9]) -> u32 {
+    // An odd number without a pattern: multiplying carries each bit upwards, so the upper ones are the mixed ones.
+    let mix = |hash: u64, bits: &u32| (hash.rotate_left(5) ^ u64::from(*bits)).wrapping_mul(0x517c_c1b7_2722_0a95);
+    (bits.iter().fold(0, mix) >> 32) as u32
 }

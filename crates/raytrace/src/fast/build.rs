@@ -39,7 +39,7 @@ impl Tree {
         if items.is_empty() {
             return Self::default();
         }
-        let size = Bounds::around(&items).size().max_element();
+        let size = Part::new(&mut items).bounds.size().max_element();
         let scale = if size > 0.0 && size.is_finite() { size.recip() } else { 1.0 };
         let mut tree = Self::default();
         Builder { scale }.node(&mut items, &mut tree);
@@ -100,7 +100,7 @@ impl Builder {
     /// Splits `items` into at most [`WIDTH`] parts: always the largest box that is not a leaf's.
     fn parts(self, items: &mut [Item]) -> Vec<Part<'_>> {
         let mut parts = Vec::with_capacity(WIDTH);
-        parts.push(Part { bounds: Bounds::around(items), items });
+        parts.push(Part::new(items));
         while parts.len() < WIDTH {
             let area = |k: &usize| self.area(&parts[*k].bounds);
             let splittable = (0..parts.len()).filter(|k| parts[*k].items.len() > LEAF);
@@ -113,52 +113,56 @@ impl Builder {
 
     /// Splits a part in two where that promises the least work.
     fn halves(self, part: Part<'_>) -> [Part<'_>; 2] {
-        let Part { items, .. } = part;
-        let mut centers = Bounds::EMPTY;
-        items.iter().for_each(|item| centers.add(item.center(), item.center()));
-        let binning = Binning::new(&centers);
-        let middle = match self.best_split(items, &binning) {
-            Some((axis, bin)) => partition(items, |item| binning.bin(item)[axis] < bin),
-            None => items.len() / 2,
+        let Part { items, centers, .. } = part;
+        let binning = Binning::new(&centers, items.len());
+        let Some(split) = self.best_split(items, &binning) else {
+            let (left, right) = items.split_at_mut(items.len() / 2);
+            return [Part::new(left), Part::new(right)];
         };
+        let (middle, centers) = partition(items, |item| binning.bin(item)[split.axis] < split.bin);
         let (left, right) = items.split_at_mut(middle);
-        [left, right].map(|items| Part { bounds: Bounds::around(items), items })
+        [
+            Part { bounds: split.left, centers: centers[0], items: left },
+            Part { bounds: split.right, centers: centers[1], items: right },
+        ]
     }
 
-    /// The axis, and the first bin of the right half. `None` where all centres fall into one bin.
-    fn best_split(self, items: &[Item], binning: &Binning) -> Option<(usize, usize)> {
-        let mut bins = [[(Bounds::EMPTY, 0_usize); BINS]; 3];
+    /// The split between two bins that promises the least work. `None` where all centres fall into one bin.
+    fn best_split(self, items: &[Item], binning: &Binning) -> Option<Split> {
+        let mut bins = [[(Bounds::EMPTY, 0_u32); BINS]; 3];
         for item in items {
             let places = binning.bin(item);
             for axis in 0..3 {
-                let (bounds, count) = &mut bins[axis][places[axis] % BINS];
+                let (bounds, count) = &mut bins[axis][places[axis] as usize];
                 bounds.add(item.min, item.max);
                 *count += 1;
             }
         }
-        let mut best: Option<(f32, usize, usize)> = None;
+        let mut best: Option<Split> = None;
         for (axis, bins) in bins.iter().enumerate() {
-            let mut right_cost = [0.0; BINS];
+            let bins = &bins[..binning.count];
+            let mut from_right = [(Bounds::EMPTY, 0); BINS];
             let mut right = (Bounds::EMPTY, 0);
-            for k in (1..BINS).rev() {
+            for k in (1..bins.len()).rev() {
                 right = joined(right, bins[k]);
-                right_cost[k] = self.cost(right);
+                from_right[k] = right;
             }
             let mut left = (Bounds::EMPTY, 0);
-            for k in 1..BINS {
+            for k in 1..bins.len() {
                 left = joined(left, bins[k - 1]);
-                let cost = self.cost(left) + right_cost[k];
-                if 0 < left.1 && left.1 < items.len() && best.is_none_or(|(least, ..)| cost < least) {
-                    best = Some((cost, axis, k));
+                let right = from_right[k];
+                let cost = self.cost(left) + self.cost(right);
+                if left.1 > 0 && right.1 > 0 && best.as_ref().is_none_or(|best| cost < best.cost) {
+                    best = Some(Split { cost, axis, bin: k as u32, left: left.0, right: right.0 });
                 }
             }
         }
-        best.map(|(_, axis, bin)| (axis, bin))
+        best
     }
 
     /// A leaf is tested as a whole, so started leaves count like full ones.
-    fn cost(self, (bounds, count): (Bounds, usize)) -> f32 {
-        if count == 0 { 0.0 } else { self.area(&bounds) * count.div_ceil(LEAF) as f32 }
+    fn cost(self, (bounds, count): (Bounds, u32)) -> f32 {
+        self.area(&bounds) * count.div_ceil(LEAF as u32) as f32
     }
 
     /// Half of the surface of a box.
@@ -169,35 +173,62 @@ impl Builder {
 }
 
 struct Part<'a> {
+    /// Around the items, and around their centres.
     bounds: Bounds,
+    centers: Bounds,
     items: &'a mut [Item],
+}
+
+impl<'a> Part<'a> {
+    fn new(items: &'a mut [Item]) -> Self {
+        let (mut bounds, mut centers) = (Bounds::EMPTY, Bounds::EMPTY);
+        for item in items.iter() {
+            bounds.add(item.min, item.max);
+            centers.add(item.center(), item.center());
+        }
+        Self { bounds, centers, items }
+    }
+}
+
+/// Where to split: before `bin`, counted along `axis`.
+struct Split {
+    cost: f32,
+    axis: usize,
+    bin: u32,
+    left: Bounds,
+    right: Bounds,
 }
 
 impl Item {
     /// Halved before they are added: the sum may not overflow.
+    #[inline(always)]
     fn center(&self) -> Vec3A {
         0.5 * self.min + 0.5 * self.max
     }
 }
 
-/// Which of [`BINS`] equal parts of the centres' box holds a centre, on each axis.
+/// Which of equal parts of the centres' box holds a centre, on each axis.
 struct Binning {
     origin: Vec3A,
     bins_per_length: Vec3A,
+    /// How many parts: few for few items.
+    count: usize,
 }
 
 impl Binning {
-    fn new(centers: &Bounds) -> Self {
+    fn new(centers: &Bounds, items: usize) -> Self {
+        let count = items.clamp(4, BINS);
         let size = centers.size();
-        let usable = size.cmpgt(Vec3A::ZERO);
-        let per_length = Vec3A::select(usable, BINS as f32 / size, Vec3A::ZERO);
-        Self { origin: centers.min, bins_per_length: per_length.min(Vec3A::splat(f32::MAX)) }
+        let per_length = Vec3A::select(size.cmpgt(Vec3A::ZERO), (count - 1) as f32 / size, Vec3A::ZERO);
+        Self { origin: centers.min, bins_per_length: per_length.min(Vec3A::splat(f32::MAX)), count }
     }
 
-    #[inline]
-    fn bin(&self, item: &Item) -> [usize; 3] {
-        let place = (item.center() - self.origin) * self.bins_per_length;
-        place.to_array().map(|x| (x as usize).min(BINS - 1))
+    /// The number of the bin along each axis, rounded to the nearest: 2²³ more, a number ends with that of the bin.
+    #[inline(always)]
+    fn bin(&self, item: &Item) -> [u32; 3] {
+        const SHIFT: Vec3A = Vec3A::splat((1_u32 << 23) as f32);
+        let place = (item.center() - self.origin) * self.bins_per_length + SHIFT;
+        [place.x.to_bits() % BINS as u32, place.y.to_bits() % BINS as u32, place.z.to_bits() % BINS as u32]
     }
 }
 
@@ -210,13 +241,7 @@ struct Bounds {
 impl Bounds {
     const EMPTY: Self = Self { min: Vec3A::INFINITY, max: Vec3A::NEG_INFINITY };
 
-    fn around(items: &[Item]) -> Self {
-        let mut all = Self::EMPTY;
-        items.iter().for_each(|item| all.add(item.min, item.max));
-        all
-    }
-
-    #[inline]
+    #[inline(always)]
     fn add(&mut self, min: Vec3A, max: Vec3A) {
         self.min = self.min.min(min);
         self.max = self.max.max(max);
@@ -227,21 +252,27 @@ impl Bounds {
     }
 }
 
-fn joined(mut a: (Bounds, usize), b: (Bounds, usize)) -> (Bounds, usize) {
+fn joined(mut a: (Bounds, u32), b: (Bounds, u32)) -> (Bounds, u32) {
     a.0.add(b.0.min, b.0.max);
     (a.0, a.1 + b.1)
 }
 
-/// Moves the items that are on the left to the front, and counts them.
-fn partition(items: &mut [Item], is_left: impl Fn(&Item) -> bool) -> usize {
+/// Moves the items that are on the left to the front and counts them; and the boxes around the centres of either side.
+#[inline(always)]
+fn partition(items: &mut [Item], is_left: impl Fn(&Item) -> bool) -> (usize, [Bounds; 2]) {
     let (mut left, mut right) = (0, items.len());
+    let mut centers = [Bounds::EMPTY; 2];
     while left < right {
-        if is_left(&items[left]) {
+        let item = &items[left];
+        let center = item.center();
+        if is_left(item) {
+            centers[0].add(center, center);
             left += 1;
         } else {
+            centers[1].add(center, center);
             right -= 1;
             items.swap(left, right);
         }
     }
-    left
+    (left, centers)
 }

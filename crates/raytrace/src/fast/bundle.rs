@@ -65,10 +65,13 @@ impl Bundle {
         Some(Self { slabs, t0 })
     }
 
-    /// The bundle of eight rays. `None` too if they run to different sides.
+    /// The bundle of eight rays. `None` too if they run to different sides, and for `t0` < 0: behind the eye the fastest
+    /// ray is the first to leave.
     #[inline(always)]
     pub(crate) fn of_eight<S: Simd>(simd: S, rays: &Lanes<S>, t0: f32) -> Option<Self> {
-        let before = before(t0)?;
+        if !(t0 >= 0.0) {
+            return None;
+        }
         let mut slabs = [Slab::default(); 3];
         for axis in 0..3 {
             let (o, d) = (rays.origin[axis], rays.direction[axis]);
@@ -79,8 +82,7 @@ impl Bundle {
             if !tame.all_true() || least.is_sign_positive() != most.is_sign_positive() {
                 return None;
             }
-            let fastest = if before > 0.0 { speed.reduce_max() } else { 0.0 };
-            slabs[axis] = Slab::new([o.reduce_min(), o.reduce_max()], [least, most], before * fastest);
+            slabs[axis] = Slab::new([o.reduce_min(), o.reduce_max()], [least, most], 0.0);
         }
         Some(Self { slabs, t0 })
     }

@@ -1,7 +1,7 @@
 //! The triangles of a mesh, four to a leaf, side by side in memory as the tests want them.
 
 use fearless_simd::{f32x4, f32x8, prelude::*};
-use geometry::Mesh;
+use geometry::{Mesh, Triangle};
 use glam::Vec3;
 
 use super::crossing::{Crossing, LEAST_SIZE, Probe};
@@ -31,15 +31,15 @@ impl Leaf {
         for (place, &number) in numbers.iter().enumerate().filter(|(_, number)| **number != u32::MAX) {
             let triangle = mesh.triangle(number as usize);
             leaf.len += 1;
-            for (corner, p) in triangle.corners().into_iter().enumerate() {
+            for (corner, p) in [triangle.a, triangle.b, triangle.c].into_iter().enumerate() {
                 for axis in 0..3 {
                     leaf.corners[corner][axis][place] = p[axis];
                 }
             }
-            let [a, b, c] = triangle.corners().map(Vec3::as_dvec3);
+            let Triangle { a, b, c } = triangle;
             let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-            // Rounded up: the margins have room for that.
-            leaf.size = leaf.size.max(longest as f32 * (1.0 + f32::EPSILON) + LEAST_SIZE);
+            // Rounded by a millionth at most; the margins have more room than that.
+            leaf.size = leaf.size.max(longest + LEAST_SIZE);
         }
         leaf
     }

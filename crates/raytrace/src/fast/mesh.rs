@@ -2,6 +2,7 @@
 
 use fearless_simd::Simd;
 use geometry::{Aabb, Mesh};
+use rayon::prelude::*;
 
 use super::bundle::Bundle;
 use super::crossing::Probe;
@@ -31,7 +32,7 @@ impl Leaves {
     /// `boxes`: around the mesh's triangles; a triangle with an empty box is left out.
     pub(crate) fn new(mesh: &Mesh, boxes: &[Aabb]) -> Self {
         let tree = Tree::new(boxes);
-        let leaves = tree.leaves().iter().map(|numbers| Leaf::new(mesh, numbers)).collect();
+        let leaves = tree.leaves().par_iter().map(|numbers| Leaf::new(mesh, numbers)).collect();
         // The sum of coordinates is greater than the length, by more than rounding unless it lies on an axis.
         let far = mesh.positions().iter().map(|p| p.abs().element_sum()).fold(0.0, f32::max);
         let reach = far * (1.0 + 4.0 * f32::EPSILON);

@@ -127,11 +127,19 @@ impl Tree {
             if child.0 & Child::LEAF_BIT == 0 {
                 let node = &self.nodes[child.0 as usize];
                 let (enter, mut met) = node.entries(simd, bundle, t1);
-                if met.is_power_of_two() {
+                let rest = met & met.wrapping_sub(1);
+                if met != 0 && rest == 0 {
                     child = node.children[met.trailing_zeros() as usize & 7];
                     continue;
                 }
                 let enter = enter.to_array();
+                if rest != 0 && rest & (rest - 1) == 0 {
+                    let (k, l) = (met.trailing_zeros() as usize & 7, rest.trailing_zeros() as usize & 7);
+                    let (a, b) = (Waiting::new(enter[k], node.children[k]), Waiting::new(enter[l], node.children[l]));
+                    waiting.push(Waiting(a.0.max(b.0)));
+                    child = Waiting(a.0.min(b.0)).child();
+                    continue;
+                }
                 let first = waiting.len();
                 while met != 0 {
                     let k = met.trailing_zeros() as usize & 7;
@@ -197,6 +205,17 @@ impl Stack {
         self.len
     }
 
+    #[inline(always)]
+    fn push(&mut self, item: Waiting) {
+        match self.few.get_mut(self.len) {
+            Some(place) => {
+                *place = item;
+                self.len += 1;
+            }
+            None => self.more.push(item),
+        }
+    }
+
     /// Pushes the item below those from `first` on that are nearer.
     #[inline(always)]
     fn push_sorted(&mut self, first: usize, item: Waiting) {
@@ -214,10 +233,12 @@ impl Stack {
 
     #[inline(always)]
     fn pop(&mut self) -> Option<Waiting> {
-        if let Some(item) = self.more.pop() {
+        if self.len == Self::FEW
+            && let Some(item) = self.more.pop()
+        {
             return Some(item);
         }
         self.len = self.len.checked_sub(1)?;
-        Some(self.few[self.len])
+        self.few.get(self.len).copied()
     }
 }
