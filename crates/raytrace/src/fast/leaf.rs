@@ -2,7 +2,7 @@
 
 use fearless_simd::{f32x4, f32x8, prelude::*};
 use geometry::{Mesh, Triangle};
-use glam::Vec3;
+use glam::{Vec3, vec3};
 
 use super::crossing::{Crossing, LEAST_SIZE, Probe};
 use super::tree::LEAF;
@@ -47,7 +47,9 @@ impl Leaf {
     /// The corners of one triangle.
     #[inline]
     pub(crate) fn triangle(&self, place: usize) -> [Vec3; 3] {
-        self.corners.map(|corner| Vec3::from(corner.map(|coordinate| coordinate[place % LEAF])))
+        let k = place % LEAF;
+        let corner = |c: usize| vec3(self.corners[c][0][k], self.corners[c][1][k], self.corners[c][2][k]);
+        [corner(0), corner(1), corner(2)]
     }
 
     /// One ray against all triangles.

@@ -79,7 +79,7 @@ fn nearest_of_one<S: Simd>(simd: S, world: &World, ray: &SpaceRay, t0: f32, t1: 
     for k in world.unbounded() {
         nearest_in_object(simd, world, *k, ray, &mut nearest);
     }
-    world.tree().walk(simd, &bundle, nearest.interval().1, #[inline(always)] |leaf| {
+    world.tree().walk(simd, &bundle, nearest.interval().1, #[inline(always)] |_, leaf| {
         for &k in world.tree().leaves()[leaf].iter().filter(|k| **k != u32::MAX) {
             nearest_in_object(simd, world, k, ray, &mut nearest);
         }
@@ -119,7 +119,7 @@ fn any_of_one<S: Simd>(simd: S, world: &World, ray: &SpaceRay, t0: f32, t1: f32)
             &bundle,
             t1,
             #[inline(always)]
-            |leaf| {
+            |_, leaf| {
                 found = any_of_objects(simd, world, &world.tree().leaves()[leaf], ray, (t0, t1));
                 if found { f32::NEG_INFINITY } else { t1 }
             },

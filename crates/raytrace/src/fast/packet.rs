@@ -31,35 +31,38 @@ pub(crate) fn nearest<S: Simd>(
     (t0, t1): (f32, f32),
     met: &mut [Option<Met>],
 ) {
-    let Some(rays) = rays.as_array::<LANES>().filter(|rays| is_coherent(rays)) else {
-        for (ray, met) in rays.iter().zip(met) {
-            *met = SpaceRay::new(ray).and_then(|ray| super::nearest_of_one(simd, world, &ray, t0, t1));
-        }
+    if let Some(eight) = rays.as_array::<LANES>()
+        && let Some(found) = nearest_of_eight(simd, world, eight, (t0, t1))
+    {
+        met.iter_mut().zip(found).for_each(|(met, nearest)| *met = nearest.met());
         return;
-    };
+    }
+    for (ray, met) in rays.iter().zip(met) {
+        *met = SpaceRay::new(ray).and_then(|ray| super::nearest_of_one(simd, world, &ray, t0, t1));
+    }
+}
+
+/// `None` if these rays had better be searched one by one: then nothing was.
+#[inline(always)]
+fn nearest_of_eight<S: Simd>(
+    simd: S,
+    world: &World,
+    rays: &[Ray; LANES],
+    (t0, t1): (f32, f32),
+) -> Option<[Nearest; LANES]> {
     let mut nearest: [Nearest; LANES] = std::array::from_fn(|_| Nearest::new(t0, t1));
+    let coherent = is_coherent(rays);
     if world.tree().is_one_leaf() {
         for k in 0..world.objects().len() {
-            nearest_in_object(simd, world, k, rays, &mut nearest);
+            nearest_in_object(simd, world, k, (rays, coherent), &mut nearest);
         }
+    } else if coherent {
+        let bundle = Bundle::of_eight(simd, &Lanes::new(simd, rays)?, t0)?;
+        nearest_in_boxes(simd, world, &bundle, rays, &mut nearest);
     } else {
-        let whole = Lanes::new(simd, rays).and_then(
-            #[inline(always)]
-            |lanes| Bundle::of_eight(simd, &lanes, t0),
-        );
-        match whole {
-            Some(bundle) => nearest_in_boxes(simd, world, &bundle, rays, &mut nearest),
-            None => {
-                for (ray, met) in rays.iter().zip(met) {
-                    *met = SpaceRay::new(ray).and_then(|ray| super::nearest_of_one(simd, world, &ray, t0, t1));
-                }
-                return;
-            }
-        }
+        return None;
     }
-    for (nearest, met) in nearest.iter().zip(met) {
-        *met = nearest.met();
-    }
+    Some(nearest)
 }
 
 #[inline(always)]
@@ -71,7 +74,7 @@ fn nearest_in_boxes<S: Simd>(
     nearest: &mut [Nearest; LANES],
 ) {
     for k in world.unbounded() {
-        nearest_in_object(simd, world, *k as usize, rays, nearest);
+        nearest_in_object(simd, world, *k as usize, (rays, true), nearest);
     }
     let t1 = farthest(nearest);
     world.tree().walk(
@@ -79,9 +82,9 @@ fn nearest_in_boxes<S: Simd>(
         bundle,
         t1,
         #[inline(always)]
-        |leaf| {
+        |_, leaf| {
             for &k in world.tree().leaves()[leaf].iter().filter(|k| **k != u32::MAX) {
-                nearest_in_object(simd, world, k as usize, rays, nearest);
+                nearest_in_object(simd, world, k as usize, (rays, true), nearest);
             }
             farthest(nearest)
         },
@@ -97,7 +100,7 @@ fn nearest_in_object<S: Simd>(
     simd: S,
     world: &World,
     k: usize,
-    rays: &[Ray; LANES],
+    (rays, coherent): (&[Ray; LANES], bool),
     nearest: &mut [Nearest; LANES],
 ) {
     let object = &world.objects()[k];
@@ -106,7 +109,14 @@ fn nearest_in_object<S: Simd>(
         || {
             if let Shape::Mesh(traced) = object.shape() {
                 nearest.iter_mut().for_each(|nearest| nearest.enter(k));
-                if traced.leaves().nearest_of_eight(simd, object, rays, nearest) {
+                if coherent && traced.leaves().nearest_of_eight(simd, object, rays, nearest) {
+                    return;
+                }
+                let mut in_space = [SpaceRay::default(); LANES];
+                for lane in 0..LANES {
+                    in_space[lane] = object.ray_from_world(&SpaceRay::of(&rays[lane]));
+                }
+                if traced.leaves().nearest_of_each(simd, &in_space, nearest) {
                     return;
                 }
             }
@@ -155,7 +165,7 @@ pub(crate) fn any_hit<S: Simd>(
             &bundle,
             t1,
             #[inline(always)]
-            |leaf| {
+            |_, leaf| {
                 for &k in world.tree().leaves()[leaf].iter().filter(|k| **k != u32::MAX) {
                     any_in_object(simd, &world.objects()[k as usize], eight, (t0, ends), &mut open);
                 }
@@ -248,7 +258,7 @@ impl Leaves {
             &bundle,
             t1.reduce_max(),
             #[inline(always)]
-            |leaf| {
+            |_, leaf| {
                 let triangles = &self.leaves[leaf];
                 let size = triangles.size();
                 let (margin, error) = (lanes.margin * size, lanes.error * (size * size));
@@ -320,7 +330,7 @@ impl Leaves {
             &bundle,
             farthest,
             #[inline(always)]
-            |leaf| {
+            |_, leaf| {
                 let triangles = &self.leaves[leaf];
                 let size = triangles.size();
                 let (margin, error) = (lanes.margin * size, lanes.error * (size * size));

@@ -108,55 +108,131 @@ impl Tree {
 
     /// Opens the leaves that the bundle meets with t up to `t1`, nearer boxes first, roughly.
     ///
-    /// `open` gets a leaf's number and returns where the search ends from now on; −∞ ends it at once.
+    /// `open` gets 0 (see [`Tree::walk_each`]) and a leaf's number, and returns where the search ends from now on; −∞ ends
+    /// it at once.
     #[inline(always)]
     pub(crate) fn walk<S: Simd>(
         &self,
         simd: S,
         bundle: &Bundle,
         t1: f32,
-        mut open: impl FnMut(usize) -> f32,
+        mut open: impl FnMut(usize, usize) -> f32,
     ) {
-        if self.nodes.is_empty() {
-            return;
-        }
         let mut t1 = t1;
-        let mut waiting = Stack::default();
-        let mut child = Child(0);
-        loop {
-            if child.0 & Child::LEAF_BIT == 0 {
-                let node = &self.nodes[child.0 as usize];
-                let (enter, mut met) = node.entries(simd, bundle, t1);
-                let rest = met & met.wrapping_sub(1);
-                if met != 0 && rest == 0 {
-                    child = node.children[met.trailing_zeros() as usize & 7];
-                    continue;
+        let mut walk = self.start();
+        while let Some(k) = walk.next_node(&mut t1, 0, &mut open) {
+            let node = &self.nodes[k];
+            let (enter, met) = node.entries(simd, bundle, t1);
+            walk.choose(node, &enter.to_array(), met);
+        }
+    }
+
+    /// The way down for each of several bundles that have nothing to do with each other, a step of each in turn: while one
+    /// waits for its node to arrive from memory, the others go on.
+    ///
+    /// `open` gets the bundle's number, too.
+    #[inline(always)]
+    pub(crate) fn walk_each<S: Simd, const N: usize>(
+        &self,
+        simd: S,
+        bundles: &[Bundle; N],
+        t1: [f32; N],
+        mut open: impl FnMut(usize, usize) -> f32,
+    ) {
+        let mut t1 = t1;
+        let mut walks: [Walk; N] = std::array::from_fn(|_| self.start());
+        let mut steps = [(0_u32, [0.0_f32; WIDTH]); N];
+        let mut at = [Some(0_usize); N];
+        let mut walking = 0;
+        for lane in 0..N {
+            at[lane] = walks[lane].next_node(&mut t1[lane], lane, &mut open);
+            walking += usize::from(at[lane].is_some());
+        }
+        while walking > 0 {
+            // First all tests, which wait for memory but for no decision; then all decisions.
+            for lane in 0..N {
+                if let Some(k) = at[lane] {
+                    let (enter, met) = self.nodes[k].entries(simd, &bundles[lane], t1[lane]);
+                    steps[lane] = (met, enter.to_array());
                 }
-                let enter = enter.to_array();
-                if rest != 0 && rest & (rest - 1) == 0 {
-                    let (k, l) = (met.trailing_zeros() as usize & 7, rest.trailing_zeros() as usize & 7);
-                    let (a, b) = (Waiting::new(enter[k], node.children[k]), Waiting::new(enter[l], node.children[l]));
-                    waiting.push(Waiting(a.0.max(b.0)));
-                    child = Waiting(a.0.min(b.0)).child();
-                    continue;
-                }
-                let first = waiting.len();
-                while met != 0 {
-                    let k = met.trailing_zeros() as usize & 7;
-                    waiting.push_sorted(first, Waiting::new(enter[k], node.children[k]));
-                    met &= met - 1;
-                }
-            } else {
-                t1 = open((child.0 ^ Child::LEAF_BIT) as usize);
             }
-            // The search may have become shorter since a box was put aside.
-            child = loop {
-                match waiting.pop() {
-                    None => return,
-                    Some(next) if next.enter() <= t1 => break next.child(),
-                    Some(_) => {}
+            for lane in 0..N {
+                if let Some(k) = at[lane] {
+                    let (met, enter) = &steps[lane];
+                    walks[lane].choose(&self.nodes[k], enter, *met);
+                    at[lane] = walks[lane].next_node(&mut t1[lane], lane, &mut open);
+                    walking -= usize::from(at[lane].is_none());
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn start(&self) -> Walk {
+        let next = if self.nodes.is_empty() { None } else { Some(Child(0)) };
+        Walk { next, waiting: Stack::default() }
+    }
+}
+
+/// Where one bundle is on its way through the tree.
+struct Walk {
+    /// The next child, where that is decided.
+    next: Option<Child>,
+    waiting: Stack,
+}
+
+impl Walk {
+    /// Opens leaves until the next one is a node. `None` at the end of the way.
+    ///
+    /// `open` gets `lane`, too.
+    #[inline(always)]
+    fn next_node(
+        &mut self,
+        t1: &mut f32,
+        lane: usize,
+        open: &mut impl FnMut(usize, usize) -> f32,
+    ) -> Option<usize> {
+        loop {
+            let child = match self.next.take() {
+                Some(child) => child,
+                None => {
+                    let waiting = self.waiting.pop()?;
+                    // The search may have become shorter since the box was put aside.
+                    if !(waiting.enter() <= *t1) {
+                        continue;
+                    }
+                    waiting.child()
                 }
             };
+            if child.0 & Child::LEAF_BIT == 0 {
+                return Some(child.0 as usize);
+            }
+            *t1 = open(lane, (child.0 ^ Child::LEAF_BIT) as usize);
+        }
+    }
+
+    /// Goes on to the nearest child that is met, and puts the others aside.
+    #[inline(always)]
+    fn choose(&mut self, node: &Node, enter: &[f32; WIDTH], met: u32) {
+        let waiting = |met: u32| {
+            let k = met.trailing_zeros() as usize % WIDTH;
+            Waiting::new(enter[k], node.children[k])
+        };
+        let rest = met & met.wrapping_sub(1);
+        if met == 0 {
+        } else if rest == 0 {
+            self.next = Some(waiting(met).child());
+        } else if rest & (rest - 1) == 0 {
+            let (a, b) = (waiting(met), waiting(rest));
+            self.waiting.push(Waiting(a.0.max(b.0)));
+            self.next = Some(Waiting(a.0.min(b.0)).child());
+        } else {
+            let first = self.waiting.len;
+            let mut met = met;
+            while met != 0 {
+                self.waiting.push_sorted(first, waiting(met));
+                met &= met - 1;
+            }
         }
     }
 }
@@ -199,11 +275,6 @@ impl Default for Stack {
 
 impl Stack {
     const FEW: usize = 32;
-
-    #[inline(always)]
-    fn len(&self) -> usize {
-        self.len
-    }
 
     #[inline(always)]
     fn push(&mut self, item: Waiting) {
