@@ -3,7 +3,7 @@
 use canvas::Rgb;
 use geometry::Ray;
 use glam::Vec3;
-use lighting::{Light, SurfacePoint, lit};
+use lighting::{Highlight, Light, Material, SurfacePoint, lit};
 
 use crate::optics::{fresnel, mirrored, refracted};
 use crate::picture::Settings;
@@ -58,14 +58,22 @@ pub fn ray_color(world: &World, ray: &Ray, t0: f32, t1: f32, settings: &Settings
         Search::BruteForce => nearest_brute(world, ray, t0, t1),
     };
     let Some(hit) = hit else { return world.background };
-    match world.surface(&hit).optics {
-        Optics::Opaque => light_on(world, ray, &hit, settings),
-        Optics::Mirror { reflectance } => {
-            light_on(world, ray, &hit, settings) + reflectance * reflected_color(world, ray, &hit, settings)
-        }
+    let local = if shows_light(world, ray, &hit) { light_on(world, ray, &hit, settings) } else { Rgb::ZERO };
+    with_optics(world, ray, &hit, local, settings)
+}
+
+/// Whether light on the surface counts: glass lit from inside shows none.
+pub(crate) fn shows_light(world: &World, ray: &Ray, hit: &Hit) -> bool {
+    !matches!(world.surface(hit).optics, Optics::Glass { .. }) || hit.is_front(ray)
+}
+
+/// The local light, plus what a mirror reflects, or glass reflects and lets through.
+pub(crate) fn with_optics(world: &World, ray: &Ray, hit: &Hit, local: Rgb, settings: &Settings) -> Rgb {
+    match world.surface(hit).optics {
+        Optics::Opaque => local,
+        Optics::Mirror { reflectance } => local + reflectance * reflected_color(world, ray, hit, settings),
         Optics::Glass { refractive_index, transmittance } => {
-            let local = if hit.is_front(ray) { light_on(world, ray, &hit, settings) } else { Rgb::ZERO };
-            local + glass_color(world, ray, &hit, (refractive_index, transmittance), settings)
+            local + glass_color(world, ray, hit, (refractive_index, transmittance), settings)
         }
     }
 }
@@ -88,12 +96,10 @@ fn shading_normal_towards(world: &World, ray: &Ray, hit: &Hit) -> Vec3 {
 /// The light on the hit by the world's shading. Each light's shadow is that of the hit itself, whatever the shading:
 /// interpolating shadows between corners would smear them over whole triangles.
 fn light_on(world: &World, ray: &Ray, hit: &Hit, settings: &Settings) -> Rgb {
-    let (points, count) = lighting_points(world, ray, hit);
+    let points = LightingPoints::new(world, ray, hit);
     let material = &world.surface(hit).material;
     let one_light = |light: &Light| {
-        let unhindered = points[..count].iter().fold(Rgb::ZERO, |sum, (at, weight)| {
-            sum + *weight * lit(material, std::slice::from_ref(light), world.highlight, at, |_| true)
-        });
+        let unhindered = points.unhindered(material, light, world.highlight);
         match light.illumination(hit.point) {
             Some(arriving) if settings.shadows && unhindered != Rgb::ZERO => {
                 unhindered * light_share(world, ray, hit, &arriving, settings.search)
@@ -105,10 +111,30 @@ fn light_on(world: &World, ray: &Ray, hit: &Hit, settings: &Settings) -> Rgb {
 }
 
 /// Where the lighting model is evaluated, and with which weights: one point, or three for Gouraud shading (L37–L40).
+pub(crate) struct LightingPoints {
+    points: [(SurfacePoint, f32); 3],
+    count: usize,
+}
+
+impl LightingPoints {
+    pub(crate) fn new(world: &World, ray: &Ray, hit: &Hit) -> Self {
+        let (points, count) = lighting_points(world, ray, hit);
+        Self { points, count }
+    }
+
+    /// What one light gives where nothing hides it.
+    pub(crate) fn unhindered(&self, material: &Material, light: &Light, highlight: Highlight) -> Rgb {
+        self.points[..self.count].iter().fold(Rgb::ZERO, |sum, (at, weight)| {
+            sum + *weight * lit(material, std::slice::from_ref(light), highlight, at, |_| true)
+        })
+    }
+}
+
 fn lighting_points(world: &World, ray: &Ray, hit: &Hit) -> ([(SurfacePoint, f32); 3], usize) {
     let object = &world.objects()[hit.object];
-    let corners = object.corners(hit.triangle);
-    match (world.interpolation, corners) {
+    // Phong's shading needs no corners.
+    let faceted = world.interpolation != Interpolation::Phong;
+    match (world.interpolation, faceted.then(|| object.corners(hit.triangle)).flatten()) {
         (Interpolation::Flat, Some([a, b, c])) => {
             let centroid = (a + b + c) / 3.0;
             ([(surface_point(ray, centroid, hit.normal_towards(ray)), 1.0); 3], 1)

@@ -6,7 +6,7 @@
 //! - [`sphere`] and [`plane`]: the exact surfaces.
 //! - [`world`]: all there is to see. An [`object`] is a shape somewhere, with a [`surface`]; a [`TracedMesh`] is shared by
 //!   its instances.
-//! - [`query`]: the nearest hit and any hit, by the slide's loop over everything and through a [`hierarchy`] of boxes.
+//! - [`query`]: the nearest hit and any hit, by the slide's loop over everything and by the [`fast`] search.
 //! - [`shadow`]: does the light reach the point? (L56, E12)
 //! - [`optics`]: Snell's law and Fresnel's equations.
 //! - [`color`]: the slide's `raycolor` (L57), then the recursive one with mirrors and glass (L58).
@@ -18,7 +18,7 @@
 #![forbid(unsafe_code)]
 
 pub mod color;
-pub mod hierarchy;
+pub mod fast;
 pub mod mesh;
 pub mod object;
 pub mod optics;
@@ -38,7 +38,7 @@ pub use geometry::Ray;
 pub use mesh::TracedMesh;
 pub use object::{Object, ObjectError, Shape};
 pub use picture::{Settings, pick, render, visible};
-pub use query::{Hit, Search, any_hit, any_hit_brute, nearest, nearest_brute};
+pub use query::{Hit, Met, Search, any_hit, any_hit_brute, nearest, nearest_brute};
 pub use surface::{Optics, Surface};
 pub use viewing::{viewing_ray, visible_interval};
 pub use world::{Interpolation, World};

@@ -1,14 +1,11 @@
 //! How can a hundred teapots cost no more memory than one? They share one mesh, made ready for rays once.
 
-use std::collections::HashSet;
-
 use geometry::{Aabb, Mesh, Triangle};
-use glam::Vec3;
+use rayon::prelude::*;
 
-use crate::hierarchy::{BoxRay, Hierarchy};
+use crate::fast::mesh::Leaves;
 use crate::query::Nearest;
 use crate::space::SpaceRay;
-use crate::triangle::TriangleHit;
 use crate::triangle::watertight::ShearedRay;
 
 /// A mesh with its own hierarchy of boxes, in its own space; put it in an `Arc` and use it in as many objects as you like.
@@ -17,9 +14,7 @@ use crate::triangle::watertight::ShearedRay;
 #[derive(Clone, Debug)]
 pub struct TracedMesh {
     mesh: Mesh,
-    hierarchy: Hierarchy,
-    /// The corners of the triangles in the order of the leaves, so that a leaf's triangles lie side by side.
-    corners: Vec<[Vec3; 3]>,
+    leaves: Leaves,
 }
 
 impl TracedMesh {
@@ -37,18 +32,16 @@ impl TracedMesh {
     /// ```
     #[must_use]
     pub fn new(mesh: Mesh) -> Self {
-        let mut seen = HashSet::new();
-        let mut box_of = |k: usize| {
+        // No ray hits a triangle with two equal corners; and of equal triangles the first one wins every tie.
+        // Files have either by the thousand, and a tree of equal boxes has no good shape.
+        let is_first = are_first(&mesh);
+        let box_of = |k: usize| {
             let triangle = mesh.triangle(k);
-            // No ray hits a triangle with two equal corners; and of equal triangles the first one wins every tie.
-            // Files have either by the thousand, and a tree of equal boxes has no good shape.
-            let key = triangle.corners().map(|corner| corner.to_array().map(f32::to_bits));
-            if has_equal_corners(&triangle) || !seen.insert(key) { Aabb::EMPTY } else { triangle.aabb() }
+            if has_equal_corners(&triangle) || !is_first[k] { Aabb::EMPTY } else { triangle.aabb() }
         };
-        let boxes: Vec<Aabb> = (0..mesh.len()).map(&mut box_of).collect();
-        let hierarchy = Hierarchy::new(&boxes);
-        let corners = hierarchy.order().iter().map(|k| mesh.triangle(*k as usize).corners()).collect();
-        Self { mesh, hierarchy, corners }
+        let boxes: Vec<Aabb> = (0..mesh.len()).into_par_iter().map(box_of).collect();
+        let leaves = Leaves::new(&mesh, &boxes);
+        Self { mesh, leaves }
     }
 
     /// The mesh.
@@ -67,40 +60,51 @@ impl TracedMesh {
         }
     }
 
-    /// The same through the hierarchy.
-    pub(crate) fn nearest(&self, ray: &SpaceRay, nearest: &mut Nearest) {
-        let Some(box_ray) = BoxRay::new(ray) else {
-            return self.nearest_brute(ray, nearest);
-        };
-        let sheared = ShearedRay::new(ray);
-        let (t0, t1) = nearest.interval();
-        self.hierarchy.walk(&box_ray, t0, t1, |leaf| {
-            for (k, corners) in self.hierarchy.order()[leaf.clone()].iter().zip(&self.corners[leaf]) {
-                if let Some(hit) = sheared.hit(corners) {
-                    nearest.offer(*k, hit);
-                }
-            }
-            nearest.interval().1
-        });
+    /// Whether the ray hits any triangle with t0 < t < t1, by the slide's loop.
+    pub(crate) fn any_brute(&self, ray: &SpaceRay, t0: f32, t1: f32) -> bool {
+        let ray = ShearedRay::new(ray);
+        let hits = (0..self.mesh.len()).filter_map(|k| ray.hit(&self.mesh.triangle(k).corners()));
+        hits.into_iter().any(|hit| t0 < hit.t && hit.t < t1)
     }
 
-    /// Whether the ray hits any triangle with t0 < t < t1.
-    pub(crate) fn any(&self, ray: &SpaceRay, t0: f32, t1: f32) -> bool {
-        let between = |hit: &TriangleHit| t0 < hit.t && hit.t < t1;
-        let sheared = ShearedRay::new(ray);
-        let Some(box_ray) = BoxRay::new(ray) else {
-            return self.corners.iter().filter_map(|corners| sheared.hit(corners)).any(|hit| between(&hit));
-        };
-        let mut found = false;
-        self.hierarchy.walk(&box_ray, t0, t1, |leaf| {
-            found =
-                self.corners[leaf].iter().filter_map(|corners| sheared.hit(corners)).any(|hit| between(&hit));
-            if found { f32::NEG_INFINITY } else { t1 }
-        });
-        found
+    pub(crate) fn leaves(&self) -> &Leaves {
+        &self.leaves
     }
 }
 
 fn has_equal_corners(triangle: &Triangle) -> bool {
     triangle.a == triangle.b || triangle.b == triangle.c || triangle.c == triangle.a
+}
+
+/// For each triangle, whether no earlier one has the same corners in the same order.
+fn are_first(mesh: &Mesh) -> Vec<bool> {
+    let mixed: Vec<u32> = (0..mesh.len()).into_par_iter().map(|k| mixed(&bits(mesh, k))).collect();
+    // A table of triangles by what their corners mix to, half of it empty; each place holds that and the triangle's number.
+    let mut table = vec![u64::MAX; (2 * mesh.len()).next_power_of_two()];
+    let mut is_new = |(k, &mixed): (usize, &u32)| {
+        let last = table.len() - 1;
+        let mut place = mixed as usize & last;
+        while table[place] != u64::MAX {
+            let there = table[place];
+            if (there >> 32) as u32 == mixed && bits(mesh, there as u32 as usize) == bits(mesh, k) {
+                return false;
+            }
+            place = (place + 1) & last;
+        }
+        table[place] = u64::from(mixed) << 32 | k as u64;
+        true
+    };
+    mixed.iter().enumerate().map(&mut is_new).collect()
+}
+
+fn bits(mesh: &Mesh, k: usize) -> [u32; 9] {
+    let Triangle { a, b, c } = mesh.triangle(k);
+    [a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z].map(f32::to_bits)
+}
+
+/// A number that hangs on every bit.
+fn mixed(bits: &[u32; 9]) -> u32 {
+    // An odd number without a pattern: multiplying carries each bit upwards, so the upper ones are the mixed ones.
+    let mix = |hash: u64, bits: &u32| (hash.rotate_left(5) ^ u64::from(*bits)).wrapping_mul(0x517c_c1b7_2722_0a95);
+    (bits.iter().fold(0, mix) >> 32) as u32
 }

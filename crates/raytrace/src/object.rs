@@ -6,6 +6,7 @@ use geometry::{Aabb, Barycentric, Plane, Sphere};
 use glam::{DAffine3, DMat3, DVec3, Mat4, Vec3};
 
 use crate::TracedMesh;
+use crate::space::SpaceRay;
 use crate::surface::Surface;
 use crate::triangle::watertight::point_in_plane;
 
@@ -20,6 +21,18 @@ pub enum Shape {
     Plane(Plane),
 }
 
+impl Shape {
+    /// The t at which a ray in the shape's space crosses a sphere or plane; nothing for a mesh.
+    pub(crate) fn crossings(&self, ray: &SpaceRay) -> impl Iterator<Item = f32> + use<> {
+        let both = match self {
+            Self::Mesh(_) => [None; 2],
+            Self::Sphere(s) => crate::sphere::crossings(ray, s).map_or([None; 2], |both| both.map(Some)),
+            Self::Plane(p) => [crate::plane::crossing(ray, p), None],
+        };
+        both.into_iter().flatten().map(|t| t as f32)
+    }
+}
+
 /// A shape somewhere in the world.
 #[derive(Clone, Debug)]
 pub struct Object {
@@ -31,6 +44,8 @@ pub struct Object {
     normal_matrix: DMat3,
     /// Around the object in the world; `None` for a plane.
     bounds: Option<Aabb>,
+    /// Whether the map is the identity, so that a ray need not be carried anywhere.
+    is_in_place: bool,
     /// The size of the numbers that arise between the object's space and the world's.
     scale: f64,
 }
@@ -98,6 +113,7 @@ impl Object {
             object_from_world: back,
             normal_matrix,
             bounds,
+            is_in_place: forth == DAffine3::IDENTITY,
             scale,
         })
     }
@@ -124,13 +140,11 @@ impl Object {
         let Shape::Mesh(traced) = &self.shape else {
             return None;
         };
-        Some(
-            traced
-                .mesh()
-                .triangle(triangle)
-                .corners()
-                .map(|corner| self.to_world(corner.as_dvec3()).as_vec3()),
-        )
+        let corners = traced.mesh().triangle(triangle).corners();
+        if self.is_in_place {
+            return Some(corners);
+        }
+        Some(corners.map(|corner| self.to_world(corner.as_dvec3()).as_vec3()))
     }
 
     /// The unit normals at the corners of a triangle, world space, on the side of its front; `None` for other shapes
@@ -140,7 +154,12 @@ impl Object {
         let Shape::Mesh(traced) = &self.shape else {
             return None;
         };
-        let normals = traced.mesh().corner_normals(triangle)?.map(|n| self.normal_to_world(n.as_dvec3()));
+        let normals = traced.mesh().corner_normals(triangle)?;
+        if self.is_in_place {
+            // A mesh's normals have unit length.
+            return Some(normals);
+        }
+        let normals = normals.map(|n| self.normal_to_world(n.as_dvec3()));
         normals.iter().all(|n| *n != Vec3::ZERO).then_some(normals)
     }
 
@@ -148,8 +167,15 @@ impl Object {
         &self.surfaces
     }
 
-    pub(crate) fn object_from_world(&self) -> &DAffine3 {
-        &self.object_from_world
+    /// Whether the object's space is the world's.
+    pub(crate) fn is_in_place(&self) -> bool {
+        self.is_in_place
+    }
+
+    /// A ray of the world in the object's space.
+    #[inline(always)]
+    pub(crate) fn ray_from_world(&self, ray: &SpaceRay) -> SpaceRay {
+        if self.is_in_place { *ray } else { ray.transformed(&self.object_from_world) }
     }
 
     pub(crate) fn bounds(&self) -> Option<Aabb> {
@@ -185,10 +211,16 @@ impl Object {
     }
 
     fn normal_to_world(&self, n_object: DVec3) -> Vec3 {
+        if self.is_in_place {
+            return n_object.as_vec3();
+        }
         (self.normal_matrix * n_object).normalize_or_zero().as_vec3()
     }
 
     fn to_world(&self, p_object: DVec3) -> DVec3 {
+        if self.is_in_place {
+            return p_object;
+        }
         self.world_from_object.transform_point3(p_object)
     }
 }

@@ -8,7 +8,7 @@ use transforms::Pipeline;
 
 use crate::query::{Hit, Search, nearest};
 use crate::viewing::{viewing_ray, visible_interval};
-use crate::{World, ray_color};
+use crate::{World, fast, ray_color};
 
 /// How a picture is made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,26 +64,35 @@ pub fn render(
     let (width, height) = (pipeline.width(), pipeline.height());
     let mut image = Image::new(width, height, Rgb::ZERO);
     let rows_done = AtomicUsize::new(0);
-    image.pixels_mut().par_chunks_mut(width as usize).enumerate().for_each(|(row, pixels)| {
-        let j = row_from_j(row as u32, height);
-        for (i, pixel) in pixels.iter_mut().enumerate() {
-            *pixel = pixel_color(world, pipeline, settings, i as u32, j);
+    let row_is_done = || progress(rows_done.fetch_add(1, Ordering::Relaxed) + 1);
+    match settings.search {
+        Search::Hierarchy => fast::render(world, pipeline, settings, image.pixels_mut(), &row_is_done),
+        Search::BruteForce => {
+            image.pixels_mut().par_chunks_mut(width as usize).enumerate().for_each(|(row, pixels)| {
+                let j = row_from_j(row as u32, height);
+                for (i, pixel) in pixels.iter_mut().enumerate() {
+                    *pixel = pixel_color(world, pipeline, settings, i as u32, j);
+                }
+                row_is_done();
+            });
         }
-        progress(rows_done.fetch_add(1, Ordering::Relaxed) + 1);
-    });
+    }
     image
+}
+
+/// Where in a pixel a sample lies: the centre of the k-th of n parts of it, where it reaches from −½ to ½.
+pub(crate) fn part(k: u32, n: u32) -> f32 {
+    (k as f32 + 0.5) / n as f32 - 0.5
 }
 
 /// The colour of pixel (i, j): the mean over its samples.
 fn pixel_color(world: &World, pipeline: &Pipeline, settings: &Settings, i: u32, j: u32) -> Rgb {
     let (t0, t1) = visible_interval(&pipeline.volume());
     let n = settings.samples;
-    // The centre of the k-th of n parts of the pixel, which reaches from −½ to ½ around its own centre.
-    let part = |k: u32| (k as f32 + 0.5) / n as f32 - 0.5;
     let mut sum = Rgb::ZERO;
     for dj in 0..n {
         for di in 0..n {
-            let ray = viewing_ray(pipeline, i as f32 + part(di), j as f32 + part(dj));
+            let ray = viewing_ray(pipeline, i as f32 + part(di, n), j as f32 + part(dj, n));
             sum += ray_color(world, &ray, t0, t1, settings);
         }
     }

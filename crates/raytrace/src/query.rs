@@ -6,12 +6,11 @@
 use geometry::{Barycentric, Ray};
 use glam::Vec3;
 
-use crate::hierarchy::BoxRay;
-use crate::object::{Object, Shape};
+use crate::object::Shape;
 use crate::space::SpaceRay;
 use crate::triangle::TriangleHit;
 use crate::world::World;
-use crate::{plane, sphere};
+use crate::{TracedMesh, fast};
 
 /// How to search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -57,6 +56,19 @@ impl Hit {
     }
 }
 
+/// The first half of a [`Hit`]: what was met and where on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Met {
+    /// The place on the ray, e + t·d.
+    pub t: f32,
+    /// The object, by its place in [`World::objects`].
+    pub object: u32,
+    /// The triangle of the object's mesh; 0 for a sphere or plane.
+    pub triangle: u32,
+    /// The place in the triangle; corner a for a sphere or plane.
+    pub weights: Barycentric,
+}
+
 /// The hit with the smallest t of those with t0 < t < t1: the slide's loop over all objects (L43, L47).
 ///
 /// Of several with equal t the lowest object wins, in it the lowest triangle.
@@ -65,12 +77,9 @@ impl Hit {
 /// - `None` too for a ray that is not finite or has no direction.
 #[must_use]
 pub fn nearest_brute(world: &World, ray: &Ray, t0: f32, t1: f32) -> Option<Hit> {
-    let space_ray = SpaceRay::new(ray)?;
     let mut nearest = Nearest::new(t0, t1);
-    for k in 0..world.objects().len() {
-        nearest.in_object(world, k, &space_ray, Search::BruteForce);
-    }
-    nearest.hit(world, &space_ray)
+    nearest.in_all_objects(world, &SpaceRay::new(ray)?);
+    nearest.met().map(|met| world.hit(ray, &met))
 }
 
 /// The same hit as [`nearest_brute`] finds, through the hierarchies: in the time of a few dozen boxes.
@@ -94,22 +103,7 @@ pub fn nearest_brute(world: &World, ray: &Ray, t0: f32, t1: f32) -> Option<Hit> 
 /// ```
 #[must_use]
 pub fn nearest(world: &World, ray: &Ray, t0: f32, t1: f32) -> Option<Hit> {
-    let space_ray = SpaceRay::new(ray)?;
-    let Some(box_ray) = BoxRay::new(&space_ray) else {
-        return nearest_brute(world, ray, t0, t1);
-    };
-    let mut nearest = Nearest::new(t0, t1);
-    for k in world.unbounded() {
-        nearest.in_object(world, *k as usize, &space_ray, Search::Hierarchy);
-    }
-    let hierarchy = world.hierarchy();
-    hierarchy.walk(&box_ray, t0, nearest.interval().1, |leaf| {
-        for k in &hierarchy.order()[leaf] {
-            nearest.in_object(world, *k as usize, &space_ray, Search::Hierarchy);
-        }
-        nearest.interval().1
-    });
-    nearest.hit(world, &space_ray)
+    fast::nearest(world, ray, t0, t1).map(|met| world.hit(ray, &met))
 }
 
 /// Whether anything is met with t0 < t < t1, by the slide's loop (L56).
@@ -121,32 +115,7 @@ pub fn any_hit_brute(world: &World, ray: &Ray, t0: f32, t1: f32) -> bool {
 /// Whether anything is met with t0 < t < t1, through the hierarchies: for shadow rays, which need not know what (L56).
 #[must_use]
 pub fn any_hit(world: &World, ray: &Ray, t0: f32, t1: f32) -> bool {
-    let Some(space_ray) = SpaceRay::new(ray) else {
-        return false;
-    };
-    let Some(box_ray) = BoxRay::new(&space_ray) else {
-        return any_hit_brute(world, ray, t0, t1);
-    };
-    let meets = |k: &u32| any_in_object(&world.objects()[*k as usize], &space_ray, t0, t1);
-    let mut found = world.unbounded().iter().any(meets);
-    if !found {
-        let hierarchy = world.hierarchy();
-        hierarchy.walk(&box_ray, t0, t1, |leaf| {
-            found = hierarchy.order()[leaf].iter().any(meets);
-            if found { f32::NEG_INFINITY } else { t1 }
-        });
-    }
-    found
-}
-
-fn any_in_object(object: &Object, ray: &SpaceRay, t0: f32, t1: f32) -> bool {
-    let ray = ray.transformed(object.object_from_world());
-    let between = |t: f64| t0 < t as f32 && (t as f32) < t1;
-    match object.shape() {
-        Shape::Mesh(traced) => traced.any(&ray, t0, t1),
-        Shape::Sphere(s) => sphere::crossings(&ray, s).is_some_and(|both| both.into_iter().any(between)),
-        Shape::Plane(p) => plane::crossing(&ray, p).is_some_and(between),
-    }
+    fast::any_hit(world, ray, t0, t1)
 }
 
 /// The best hit so far.
@@ -154,20 +123,17 @@ pub(crate) struct Nearest {
     t0: f32,
     t1: f32,
     object: u32,
-    best: Option<Candidate>,
-}
-
-#[derive(Clone, Copy)]
-struct Candidate {
-    t: f32,
-    object: u32,
-    triangle: u32,
-    weights: Barycentric,
+    best: Option<Met>,
 }
 
 impl Nearest {
-    fn new(t0: f32, t1: f32) -> Self {
+    pub(crate) fn new(t0: f32, t1: f32) -> Self {
         Self { t0, t1, object: 0, best: None }
+    }
+
+    /// What was best, in the end.
+    pub(crate) fn met(&self) -> Option<Met> {
+        self.best
     }
 
     /// Where hits may lie that are still of interest, ends included: an equally near one may win the tie.
@@ -186,39 +152,60 @@ impl Nearest {
             }
         };
         if better {
-            self.best = Some(Candidate { t: hit.t, object: self.object, triangle, weights: hit.weights });
+            self.best = Some(Met { t: hit.t, object: self.object, triangle, weights: hit.weights });
         }
     }
 
-    fn in_object(&mut self, world: &World, k: usize, ray: &SpaceRay, search: Search) {
+    /// The next hits are on this object.
+    pub(crate) fn enter(&mut self, object: usize) {
+        self.object = object as u32;
+    }
+
+    /// Offers every hit of the slide's loop (L43).
+    pub(crate) fn in_all_objects(&mut self, world: &World, ray: &SpaceRay) {
+        for k in 0..world.objects().len() {
+            self.in_object(world, k, ray, TracedMesh::nearest_brute);
+        }
+    }
+
+    /// Offers the hits on one object; `in_mesh` says how its triangles are searched.
+    #[inline(always)]
+    pub(crate) fn in_object(
+        &mut self,
+        world: &World,
+        k: usize,
+        ray: &SpaceRay,
+        in_mesh: impl FnOnce(&TracedMesh, &SpaceRay, &mut Self),
+    ) {
         let object = &world.objects()[k];
-        let ray = ray.transformed(object.object_from_world());
+        let ray = object.ray_from_world(ray);
         self.object = k as u32;
-        let mut offer = |t: f64| {
-            let weights = Barycentric::A;
-            self.offer(0, TriangleHit { t: t as f32, weights });
-        };
         match object.shape() {
-            Shape::Mesh(traced) if search == Search::BruteForce => traced.nearest_brute(&ray, self),
-            Shape::Mesh(traced) => traced.nearest(&ray, self),
-            Shape::Sphere(s) => sphere::crossings(&ray, s).into_iter().flatten().for_each(offer),
-            Shape::Plane(p) => {
-                if let Some(t) = plane::crossing(&ray, p) {
-                    offer(t);
+            Shape::Mesh(traced) => in_mesh(traced, &ray, self),
+            shape => {
+                for t in shape.crossings(&ray) {
+                    self.offer(0, TriangleHit { t, weights: Barycentric::A });
                 }
             }
         }
     }
+}
 
-    fn hit(&self, world: &World, ray: &SpaceRay) -> Option<Hit> {
-        let Candidate { t, object, triangle, weights } = self.best?;
+impl World {
+    /// All about what was met: the point, the normal, and how far off the surface the next ray must start.
+    ///
+    /// - `ray`: the one that met it, world space.
+    #[must_use]
+    pub fn hit(&self, ray: &Ray, met: &Met) -> Hit {
+        let Met { t, object, triangle, weights } = *met;
         let (object, triangle) = (object as usize, triangle as usize);
-        let thing = &world.objects()[object];
-        let p_object = ray.transformed(thing.object_from_world()).at(f64::from(t));
+        let ray = SpaceRay::of(ray);
+        let thing = &self.objects()[object];
+        let p_object = thing.ray_from_world(&ray).at(f64::from(t));
         let (point, normal) = thing.point_and_normal(triangle, weights, p_object);
         let far = ray.origin.abs().max_element() + f64::from(t).abs() * ray.direction.abs().max_element();
         let clearance = clearance(point.abs().max_element(), thing.scale() + far);
-        Some(Hit { t, object, triangle, weights, point: point.as_vec3(), normal, clearance })
+        Hit { t, object, triangle, weights, point: point.as_vec3(), normal, clearance }
     }
 }
 

@@ -21,7 +21,11 @@ use crate::world::{Interpolation, World};
 /// light's distance, which is infinite for a directional light.
 #[must_use]
 pub fn shadow_ray(world: &World, ray: &Ray, hit: &Hit, light: &Illumination) -> Ray {
-    let n = hit.normal_towards(ray);
+    Ray::new(shadow_start(world, ray, hit), light.to_light)
+}
+
+/// Where the shadow rays from a hit start, whichever the light: off the surface, and the smooth one where there is one.
+pub(crate) fn shadow_start(world: &World, ray: &Ray, hit: &Hit) -> Vec3 {
     let mut start = hit.point;
     if world.interpolation != Interpolation::Flat {
         let object = &world.objects()[hit.object];
@@ -32,7 +36,7 @@ pub fn shadow_ray(world: &World, ray: &Ray, hit: &Hit, light: &Illumination) -> 
             start = onto_smooth_surface(start, corners, normals.map(|n| side * n), hit.weights);
         }
     }
-    Ray::new(start + hit.clearance * n, light.to_light)
+    start + hit.clearance * hit.normal_towards(ray)
 }
 
 /// Whether nothing opaque or clear is between the hit and the light: the slide's shadow test (L56, L57).

@@ -4,7 +4,7 @@ use geometry::Ray;
 use glam::{DAffine3, DVec3};
 
 /// A ray in f64: carrying it into an object's space costs next to no accuracy.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct SpaceRay {
     pub(crate) origin: DVec3,
     pub(crate) direction: DVec3,
@@ -14,7 +14,13 @@ impl SpaceRay {
     /// `None` for a ray that is none: something is not finite, or the direction is zero.
     pub(crate) fn new(ray: &Ray) -> Option<Self> {
         let usable = ray.origin.is_finite() && ray.direction.is_finite() && ray.direction != glam::Vec3::ZERO;
-        usable.then(|| Self { origin: ray.origin.as_dvec3(), direction: ray.direction.as_dvec3() })
+        usable.then(|| Self::of(ray))
+    }
+
+    /// The same ray in f64, whatever its numbers.
+    #[inline]
+    pub(crate) fn of(ray: &Ray) -> Self {
+        Self { origin: ray.origin.as_dvec3(), direction: ray.direction.as_dvec3() }
     }
 
     /// The same ray in another space; t keeps its meaning.

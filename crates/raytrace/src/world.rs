@@ -1,11 +1,12 @@
 //! What is there to see, and what lights it? (L22, L43)
 
 use canvas::Rgb;
+use fearless_simd::Level;
 use geometry::Aabb;
 use glam::Vec3;
 use lighting::{Highlight, Light};
 
-use crate::hierarchy::Hierarchy;
+use crate::fast::tree::Tree;
 use crate::object::Object;
 use crate::query::Hit;
 use crate::surface::{Optics, Surface};
@@ -32,7 +33,9 @@ pub enum Interpolation {
 #[derive(Clone, Debug)]
 pub struct World {
     objects: Vec<Object>,
-    hierarchy: Hierarchy,
+    tree: Tree,
+    /// What the processor can do.
+    level: Level,
     /// The planes, which fit into no box.
     unbounded: Vec<u32>,
     has_glass: bool,
@@ -70,7 +73,8 @@ impl World {
         let is_glass = |surface: &Surface| matches!(surface.optics, Optics::Glass { .. });
         let has_glass = objects.iter().flat_map(Object::surfaces).any(is_glass);
         Self {
-            hierarchy: Hierarchy::new(&boxes),
+            tree: Tree::new(&boxes),
+            level: Level::new(),
             objects,
             unbounded,
             has_glass,
@@ -112,8 +116,12 @@ impl World {
         self.has_glass
     }
 
-    pub(crate) fn hierarchy(&self) -> &Hierarchy {
-        &self.hierarchy
+    pub(crate) fn tree(&self) -> &Tree {
+        &self.tree
+    }
+
+    pub(crate) fn level(&self) -> Level {
+        self.level
     }
 
     pub(crate) fn unbounded(&self) -> &[u32] {

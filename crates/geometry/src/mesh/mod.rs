@@ -206,6 +206,7 @@ impl Mesh {
     ///
     /// # Panics
     /// If `k` is not less than [`Mesh::len`].
+    #[inline]
     #[must_use]
     pub fn triangle(&self, k: usize) -> Triangle {
         let [a, b, c] = self.triangles[k].map(|index| self.positions[index as usize]);
@@ -216,6 +217,7 @@ impl Mesh {
     ///
     /// # Panics
     /// If `k` is not less than [`Mesh::len`].
+    #[inline]
     #[must_use]
     pub fn corner_normals(&self, k: usize) -> Option<[Vec3; 3]> {
         let normals = self.normals.as_ref()?;
@@ -246,6 +248,7 @@ impl Mesh {
     }
 
     /// The material index of triangle `k`; 0 where none was given.
+    #[inline]
     #[must_use]
     pub fn material(&self, k: usize) -> u32 {
         self.materials.get(k).copied().unwrap_or(0)

@@ -63,7 +63,7 @@ impl ShearedRay {
 
     /// The hit on the whole line, −∞ < t < ∞.
     pub(crate) fn hit(&self, corners: &[Vec3; 3]) -> Option<TriangleHit> {
-        let [a, b, c] = corners.map(|corner| self.sheared(corner));
+        let [a, b, c] = [self.sheared(corners[0]), self.sheared(corners[1]), self.sheared(corners[2])];
         // Twice the signed areas of the triangles that the origin makes with the edges: the weights, not yet divided.
         let areas = [side(b.0, c.0), side(c.0, a.0), side(a.0, b.0)];
         if areas.iter().any(|area| *area < 0.0) && areas.iter().any(|area| *area > 0.0) {
@@ -74,7 +74,7 @@ impl ShearedRay {
         }
         // All of one sign and not all 0: nothing cancels.
         let whole = areas[0] + areas[1] + areas[2];
-        let [alpha, beta, gamma] = areas.map(|area| area / whole);
+        let [alpha, beta, gamma] = [areas[0] / whole, areas[1] / whole, areas[2] / whole];
         let t =
             self.within_box(corners, (alpha * a.1 + beta * b.1 + gamma * c.1) / self.direction[self.axes[2]]);
         Some(TriangleHit { t: t as f32, weights: Barycentric::from_beta_gamma(beta as f32, gamma as f32) })
@@ -83,7 +83,8 @@ impl ShearedRay {
     /// The corner relative to the ray's origin: its place in the plane across the ray, and its z along the ray.
     fn sheared(&self, corner: Vec3) -> (DVec2, f64) {
         let corner = corner.to_array();
-        let [x, y, z] = self.axes.map(|axis| f64::from(corner[axis]) - self.origin[axis]);
+        let relative = |axis: usize| f64::from(corner[axis]) - self.origin[axis];
+        let [x, y, z] = [relative(self.axes[0]), relative(self.axes[1]), relative(self.axes[2])];
         (DVec2::new(x - self.shear.x * z, y - self.shear.y * z), z)
     }
 
