@@ -30,7 +30,7 @@ pub use error::{RenderError, SceneError};
 pub use load::{Loaded, load};
 pub use names::{Named, Renderer, Show, UnknownName, parse_name};
 pub use prepare::{Prepared, prepare};
-pub use render::{Rendered, render};
+pub use render::{Rendered, render, render_slide};
 pub use scene::{Lens, Object, Scene, Settings, Shape, Transform, View};
 pub use shading::Shading;
 pub use zbuffer::DepthFormat;

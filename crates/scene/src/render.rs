@@ -1,9 +1,10 @@
 //! How does a scene become a picture? One function, any renderer.
 
 use canvas::Image;
-use raytrace::Interpolation;
+use raytrace::{Interpolation, Search};
 use shading::{Frame, Shading, Visibility};
 use transforms::Pipeline;
+use zbuffer::DepthFormat;
 use zbuffer::clip::GREATEST_SIDE as GREATEST_SCREEN;
 
 use crate::limits::{
@@ -47,13 +48,44 @@ pub fn render(
     settings: &Settings,
     progress: &(dyn Fn(f32) + Sync),
 ) -> Result<Rendered, RenderError> {
+    render_by(Version::Fast, prepared, settings, progress)
+}
+
+/// The picture of [`render`] by the slides' own loops: all triangles for each ray (L43), and a colour for each fragment that is
+/// nearer than those before it (L16). It takes many times as long and differs by rounding only.
+///
+/// The painter's algorithm has one version; its picture is the same.
+///
+/// # Errors
+/// As [`render`].
+pub fn render_slide(
+    prepared: &Prepared,
+    settings: &Settings,
+    progress: &(dyn Fn(f32) + Sync),
+) -> Result<Rendered, RenderError> {
+    render_by(Version::Slide, prepared, settings, progress)
+}
+
+/// Which loops draw.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Version {
+    Fast,
+    Slide,
+}
+
+fn render_by(
+    version: Version,
+    prepared: &Prepared,
+    settings: &Settings,
+    progress: &(dyn Fn(f32) + Sync),
+) -> Result<Rendered, RenderError> {
     settings.check()?;
     let (width, height) = settings.size;
     let mut notes = Vec::new();
     let mut is_empty = false;
     let image = match (settings.renderer, settings.show) {
         (Renderer::Raytrace, Show::Color) => {
-            trace(prepared, settings, &prepared.pipeline(width, height)?, progress)?
+            trace(version, prepared, settings, &prepared.pipeline(width, height)?, progress)?
         }
         (Renderer::Raytrace, _) => {
             let pipeline = prepared.pipeline(width, height)?;
@@ -67,12 +99,13 @@ pub fn render(
         }
         (_, Show::Color) => {
             let n = settings.samples;
-            let frame =
-                rasterized(prepared, settings, &prepared.pipeline(width * n, height * n)?, &mut notes)?;
-            frame.image.box_downsampled(n)
+            let pipeline = prepared.pipeline(width * n, height * n)?;
+            let image = colors(version, prepared, settings, &pipeline, &mut notes)?;
+            image.box_downsampled(n)
         }
         (_, _) => {
-            let frame = rasterized(prepared, settings, &prepared.pipeline(width, height)?, &mut notes)?;
+            let pipeline = prepared.pipeline(width, height)?;
+            let frame = rasterized(version, prepared, settings, &pipeline, &mut notes)?;
             let seen = Seen::all(&frame);
             is_empty = seen.iter().all(Option::is_none);
             show::picture(settings.show, (width, height), &seen, Loop::Objects, &mut notes)
@@ -126,6 +159,7 @@ impl Settings {
 
 /// The picture in image order.
 fn trace(
+    version: Version,
     prepared: &Prepared,
     settings: &Settings,
     pipeline: &Pipeline,
@@ -136,7 +170,7 @@ fn trace(
         samples: settings.samples,
         shadows: settings.shadows,
         max_depth: settings.max_depth,
-        ..raytrace::Settings::default()
+        search: if version == Version::Slide { Search::BruteForce } else { Search::Hierarchy },
     };
     let rows = pipeline.height() as f32;
     Ok(raytrace::render(&world, pipeline, &rays, &|done| progress(done as f32 / rows)))
@@ -162,8 +196,27 @@ fn traced_world(prepared: &Prepared, settings: &Settings) -> Result<raytrace::Wo
     Ok(world)
 }
 
+/// The colours in object order.
+fn colors(
+    version: Version,
+    prepared: &Prepared,
+    settings: &Settings,
+    pipeline: &Pipeline,
+    notes: &mut Vec<String>,
+) -> Result<Image, RenderError> {
+    // The fast version knows one depth format.
+    let is_fast = (version, settings.renderer, settings.depth_bits)
+        == (Version::Fast, Renderer::ZBuffer, DepthFormat::F32);
+    if !is_fast {
+        return Ok(rasterized(version, prepared, settings, pipeline, notes)?.image);
+    }
+    notes.extend(optics_note(prepared, settings));
+    Ok(in_world(prepared, settings, |world| shading::fast::render(world, pipeline, settings.shading)))
+}
+
 /// The frame in object order.
 fn rasterized(
+    version: Version,
     prepared: &Prepared,
     settings: &Settings,
     pipeline: &Pipeline,
@@ -178,6 +231,22 @@ fn rasterized(
     } else {
         Visibility::ZBuffer(settings.depth_bits)
     };
+    let frame = in_world(prepared, settings, |world| match (version, visibility) {
+        (Version::Slide, Visibility::ZBuffer(format)) => {
+            shading::render_plain(world, pipeline, settings.shading, format)
+        }
+        _ => shading::render(world, pipeline, settings.shading, visibility),
+    });
+    if frame.painter.as_ref().is_some_and(|report| report.gave_up) {
+        return Err(RenderError::TooEntangled);
+    }
+    notes.extend(frame.painter.as_ref().and_then(painters_note));
+    notes.extend(optics_note(prepared, settings));
+    Ok(frame)
+}
+
+/// Looks at the scene as rasterizers want it.
+fn in_world<T>(prepared: &Prepared, settings: &Settings, look: impl FnOnce(&shading::World) -> T) -> T {
     let mut objects = Vec::new();
     for part in &prepared.parts {
         objects.extend(part.world_from_object.iter().map(|world_from_object| shading::Object {
@@ -186,24 +255,23 @@ fn rasterized(
             materials: &part.materials,
         }));
     }
-    let world = shading::World {
+    look(&shading::World {
         objects: &objects,
         lights: &prepared.lights,
         background: prepared.background,
         highlight: settings.highlight,
-    };
-    let frame = shading::render(&world, pipeline, settings.shading, visibility);
-    if frame.painter.as_ref().is_some_and(|report| report.gave_up) {
-        return Err(RenderError::TooEntangled);
-    }
-    notes.extend(frame.painter.as_ref().and_then(painters_note));
-    if prepared.has_optics() && settings.show == Show::Color {
-        notes.push(format!(
+    })
+}
+
+/// What a rasterizer leaves out, if anything.
+fn optics_note(prepared: &Prepared, settings: &Settings) -> Option<String> {
+    let leaves_out = prepared.has_optics() && settings.show == Show::Color;
+    leaves_out.then(|| {
+        format!(
             "{}: mirrors and glass have only their own colour here; the ray tracer follows the light",
             settings.renderer
-        ));
-    }
-    Ok(frame)
+        )
+    })
 }
 
 /// What stood in the painter's way, if anything did.

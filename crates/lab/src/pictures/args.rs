@@ -17,6 +17,8 @@ Examples:
     cargo lab render spot.obj --shading flat --size 800x600
   What the depth buffer holds:
     cargo lab render two-spheres --renderer zbuffer --show depth
+  By the loops of the slides instead of the fast ones; the times say what that costs:
+    cargo lab render --size 160x120 --slide
   A scene of your own:
     cargo lab scenes teapot > mine.toml
     cargo lab render mine.toml";
@@ -117,6 +119,11 @@ pub(crate) struct RenderArgs {
     /// Use N threads [default: one for each processor]. The picture does not depend on it
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole(1, MOST_THREADS))]
     pub(crate) threads: Option<u32>,
+
+    /// Draw by the loops of the slides, as they stand there, instead of the fast ones: the same picture but for rounding, and how much
+    /// slower it comes. Every ray then asks every triangle: choose a small --size
+    #[arg(long)]
+    pub(crate) slide: bool,
 
     /// Let no object cast a shadow (only the ray tracer draws shadows)
     #[arg(long)]

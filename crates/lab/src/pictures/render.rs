@@ -41,7 +41,8 @@ pub(crate) fn run(asked: &RenderArgs) -> Result<Outcome, Failure> {
     let renderers = asked.renderer.map_or(ALL_RENDERERS.to_vec(), |one| vec![one]);
     check_row(settings.size, renderers.len())?;
     let mut said = Ok(());
-    let drawn = with_threads(asked.threads, || draw_all(&loaded, &settings, &renderers, &mut said))?;
+    let drawn =
+        with_threads(asked.threads, || draw_all(&loaded, &settings, &renderers, asked.slide, &mut said))?;
     let pictures = drawn.map_err(|error| failure(error, &source))?;
 
     let pictures: Vec<&Image> = pictures.iter().collect();
@@ -180,6 +181,7 @@ fn draw_all(
     loaded: &Loaded,
     settings: &Settings,
     renderers: &[Renderer],
+    slide: bool,
     said: &mut Result<(), Failure>,
 ) -> Result<Vec<Image>, RenderError> {
     let mut tell = |text: &str| {
@@ -190,7 +192,7 @@ fn draw_all(
     let prepared = scene::prepare(loaded)?;
     let mut pictures = Vec::new();
     for &renderer in renderers {
-        let (rendered, time) = draw(&prepared, &Settings { renderer, ..*settings })?;
+        let (rendered, time) = draw(&prepared, &Settings { renderer, ..*settings }, slide)?;
         let (width, height) = settings.size;
         tell(&format!("{renderer:10}{width} × {height} pixels in {}", readable(time)));
         for note in &rendered.notes {
@@ -203,9 +205,10 @@ fn draw_all(
     Ok(pictures)
 }
 
-fn draw(prepared: &Prepared, settings: &Settings) -> Result<(Rendered, Duration), RenderError> {
+fn draw(prepared: &Prepared, settings: &Settings, slide: bool) -> Result<(Rendered, Duration), RenderError> {
     let progress = Progress::start(settings.renderer.name());
-    let rendered = scene::render(prepared, settings, &|share| progress.reached(share));
+    let render = if slide { scene::render_slide } else { scene::render };
+    let rendered = render(prepared, settings, &|share| progress.reached(share));
     let time = progress.finish();
     Ok((rendered?, time))
 }
