@@ -30,13 +30,13 @@ const PHONG: u8 = 2;
 
 /// Eight neighbouring pixels of a row that show one object.
 struct Eight<'a> {
-    numbers: Numbers,
+    numbers: &'a Numbers,
     object: &'a Object<'a>,
     /// The object's index, and the number of its first triangle.
     index: usize,
     first: Number,
     /// Of the pixels' triangles, counted through the positions of all objects.
-    corners: Corners,
+    corners: &'a Corners,
     i: u32,
     j: u32,
 }
@@ -100,7 +100,8 @@ impl Coloring<'_> {
         (row, i, j): (u32, u32, u32),
         pixels: &mut [Rgb; 8],
     ) {
-        let numbers = band.eight(simd, row, i);
+        let mut numbers = Numbers::default();
+        band.eight(simd, row, i, &mut numbers);
         if numbers.is_there == 0 {
             *pixels = [self.world.background; 8];
             return;
@@ -113,16 +114,10 @@ impl Coloring<'_> {
             return;
         }
         let start = self.projected.first_vertex(index) as u32;
-        let at = Eight {
-            numbers,
-            object,
-            index,
-            first,
-            corners: corners(object.mesh.triangles(), &numbers, first, start),
-            i,
-            j,
-        };
-        let mut weights = self.projected.weights(simd, &at.corners, i, j);
+        let mut of_positions = Corners::default();
+        fill(&mut of_positions, object.mesh.triangles(), &numbers, first, start);
+        let at = Eight { numbers: &numbers, object, index, first, corners: &of_positions, i, j };
+        let mut weights = self.projected.weights(simd, at.corners, i, j);
         if weights.is_clipped.any_true() {
             let is_clipped = weights.is_clipped.to_bitmask() as u8 & numbers.is_there;
             let mut columns =
@@ -210,7 +205,7 @@ impl Coloring<'_> {
     /// One colour a triangle (L37).
     #[inline(always)]
     fn flat<S: Simd>(&self, simd: S, at: &Eight, known: &mut Known) -> Vectors<S> {
-        if at.numbers.is_same {
+        if at.numbers.are_same {
             let [color, ..] = known.corner_colors(at.numbers.all[0], at.object, at.triangle(0), self);
             return Vectors::splat(simd, color);
         }
@@ -235,7 +230,7 @@ impl Coloring<'_> {
         if self.attributes.lit[at.index] == Lit::Vertices {
             let (turned, uncertain) = self.turned(simd, at);
             if turned.all_false() {
-                let colors = gather(simd, &self.attributes.colors, &at.corners);
+                let colors = gather(simd, &self.attributes.colors, at.corners);
                 *plainly = *plainly | uncertain | is_nan(&colors);
                 return mix(weights, &colors);
             }
@@ -265,10 +260,11 @@ impl Coloring<'_> {
             *plainly = mask32x8::splat(simd, true);
             return Vectors::splat(simd, Rgb::ZERO);
         };
-        let places = gather(simd, &self.attributes.positions, &at.corners);
+        let places = gather(simd, &self.attributes.positions, at.corners);
         let p_world = mix(weights, &places);
-        let of_normals =
-            corners(&normals.triangles, &at.numbers, at.first, self.attributes.first_normal[at.index]);
+        let mut of_normals = Corners::default();
+        let start = self.attributes.first_normal[at.index];
+        fill(&mut of_normals, &normals.triangles, at.numbers, at.first, start);
         let n = mix(weights, &gather(simd, &self.attributes.normals, &of_normals));
         let length = n.dot(n).sqrt();
         // As `phong_normal`: what is shorter has no direction. A NaN is no length at all.
@@ -289,7 +285,7 @@ impl Coloring<'_> {
     fn light<S: Simd>(&self, simd: S, at: &Eight, points: &Points<S>) -> Vectors<S> {
         let first = at.object.material(at.triangle(0));
         let color = self.light_with(simd, &first, points);
-        if at.numbers.is_same || !at.object.mesh.has_materials() {
+        if at.numbers.are_same || !at.object.mesh.has_materials() {
             return color;
         }
         let (mut r, mut g, mut b) = (color.x.to_array(), color.y.to_array(), color.z.to_array());
@@ -316,7 +312,7 @@ impl Coloring<'_> {
             let no = mask32x8::splat(simd, false);
             return (no, no);
         }
-        self.turned_of(simd, at, &gather(simd, &self.attributes.positions, &at.corners))
+        self.turned_of(simd, at, &gather(simd, &self.attributes.positions, at.corners))
     }
 
     /// Whether the eye lies behind the triangle, by the sign of (b − a) × (c − a) · (eye − a). Seen so nearly edge-on that rounding
@@ -346,17 +342,13 @@ impl Coloring<'_> {
 
 /// The corners of the pixels' triangles, with `start` added.
 #[inline(always)]
-fn corners(triangles: &[[u32; 3]], numbers: &Numbers, first: Number, start: u32) -> Corners {
-    if numbers.is_same {
-        let [a, b, c] = triangles[(numbers.all[0] - first) as usize];
-        return Corners::Same([a + start, b + start, c + start]);
+fn fill(corners: &mut Corners, triangles: &[[u32; 3]], numbers: &Numbers, first: Number, start: u32) {
+    corners.are_same = numbers.are_same;
+    let count = if numbers.are_same { 1 } else { 8 };
+    for (corner, number) in corners.each.iter_mut().zip(&numbers.all).take(count) {
+        let [a, b, c] = triangles[(number - first) as usize];
+        (corner[0], corner[1], corner[2]) = (a + start, b + start, c + start);
     }
-    let mut all = [[0; 3]; 8];
-    for k in 0..8 {
-        let [a, b, c] = triangles[(numbers.all[k] - first) as usize];
-        all[k] = [a + start, b + start, c + start];
-    }
-    Corners::Each(all)
 }
 
 /// Three corners' vectors of eight triangles.

@@ -3,11 +3,12 @@
 use std::ops::Range;
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Level, Simd, dispatch, i32x8, mask32x8};
+use fearless_simd::{Level, Simd, dispatch, i32x8, mask32x8, u32x8};
 
 use crate::fast::bins::{BAND_ROWS, Piece};
 use crate::fast::blocks::TILE;
 use crate::fast::edges::Edges;
+use crate::fast::eight::Corners;
 use crate::fast::projected::{NONE, Number, Part, Projected};
 
 /// Depths and triangles of a band of rows. One for each thread is enough; it is used again for band after band.
@@ -31,14 +32,14 @@ pub struct Band {
 }
 
 /// What eight neighbouring pixels show.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Numbers {
     /// Their triangles. A pixel of the background has the number of one of the others.
     pub all: [Number; 8],
     /// Bit k is set where pixel k shows a triangle.
     pub is_there: u8,
     /// Whether all that show a triangle show the same.
-    pub is_same: bool,
+    pub are_same: bool,
     /// The least number.
     pub least: Number,
     /// The greatest number.
@@ -84,12 +85,12 @@ impl Band {
         pixels.step_by(2).take(self.width as usize).map(|(number, z)| (*number as Number, *z))
     }
 
-    /// What eight pixels of a row show, from column `first` on. Beyond the last column it is nothing.
+    /// Puts into `eight` what eight pixels of a row show, from column `first` on. Beyond the last column it is nothing.
     ///
     /// # Panics
     /// If the first pixel does not lie in the band.
     #[inline(always)]
-    pub fn eight<S: Simd>(&self, simd: S, row: u32, first: u32) -> Numbers {
+    pub fn eight<S: Simd>(&self, simd: S, row: u32, first: u32, eight: &mut Numbers) {
         let start = self.pixel(first, row);
         let all = match self.numbers[start..].first_chunk::<16>() {
             Some(sixteen) => {
@@ -111,13 +112,12 @@ impl Band {
         let is_same = all.simd_eq(some).to_bitmask() & is_there == is_there;
         let is_there_mask = mask32x8::from_bitmask(simd, is_there);
         let all = is_there_mask.select(all, i32x8::splat(simd, some));
-        Numbers {
-            all: all.to_array().map(|number| number as Number),
-            is_there: is_there as u8,
-            is_same,
-            least: all.reduce_min() as Number,
-            greatest: all.reduce_max() as Number,
-        }
+        let numbers: u32x8<S> = all.bitcast();
+        numbers.store_array(&mut eight.all);
+        eight.is_there = is_there as u8;
+        eight.are_same = is_same;
+        eight.least = all.reduce_min() as Number;
+        eight.greatest = all.reduce_max() as Number;
     }
 
     /// The place of a pixel in memory.
@@ -177,11 +177,11 @@ impl Band {
                 // The last stands in for those that are missing: drawn twice, it changes nothing.
                 let mut numbers = [eight[eight.len() - 1]; 8];
                 numbers[..eight.len()].copy_from_slice(eight);
-                let mut indices = [[0; 3]; 8];
-                for (indices, number) in indices.iter_mut().zip(&numbers) {
-                    *indices = triangles[(number - first) as usize];
+                let mut corners = Corners::default();
+                for (corners, number) in corners.each.iter_mut().zip(&numbers) {
+                    *corners = triangles[(number - first) as usize];
                 }
-                self.draw_eight(simd, &numbers, vertices, indices);
+                self.draw_eight(simd, &numbers, vertices, &corners);
             }
         }
     }

@@ -89,10 +89,10 @@ impl Chunk {
         let triangles = &sorting.part.mesh.triangles()[triangles];
         for (start, eight) in (first..).step_by(8).zip(triangles.chunks(8)) {
             // The last triangle stands in for those that are missing, and is dropped again below.
-            let mut indices = [eight[eight.len() - 1]; 8];
-            indices[..eight.len()].copy_from_slice(eight);
+            let mut corners = Corners { each: [eight[eight.len() - 1]; 8], are_same: false };
+            corners.each[..eight.len()].copy_from_slice(eight);
             let present = (1_u64 << eight.len()) - 1;
-            self.sort_eight(simd, sorting, start, indices, present);
+            self.sort_eight(simd, sorting, start, &corners, present);
         }
     }
 
@@ -103,10 +103,10 @@ impl Chunk {
         simd: S,
         sorting: &Sorting,
         start: Number,
-        indices: [[u32; 3]; 8],
+        corners: &Corners,
         present: u64,
     ) {
-        let eight = Eight::gather(simd, sorting.vertices, &Corners::Each(indices));
+        let eight = Eight::gather(simd, sorting.vertices, corners);
         let (x, y) = (eight.extent(0), eight.extent(1));
         let columns = centers(simd, x, sorting.size.0);
         let rows = centers(simd, y, sorting.size.1);
@@ -128,8 +128,10 @@ impl Chunk {
             left &= left - 1;
             let number = start + k as u32;
             if outside >> k & 1 == 1 {
-                self.clip(sorting, number, &indices[k]);
-            } else if certain >> k & 1 == 1 || sorting.shows(doubled_area_of(sorting.vertices, &indices[k])) {
+                self.clip(sorting, number, &corners.each[k]);
+            } else if certain >> k & 1 == 1
+                || sorting.shows(doubled_area_of(sorting.vertices, &corners.each[k]))
+            {
                 let band = |j: f32| ((sorting.size.1 - 1 - j as u32) / BAND_ROWS) as u16;
                 let is_large = large >> k & 1 == 1;
                 self.kept.push(Kept {

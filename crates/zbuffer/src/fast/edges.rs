@@ -9,8 +9,6 @@ use crate::screen::SUBPIXELS;
 pub(crate) struct Edges {
     /// The vertices, anticlockwise.
     pub(crate) corners: [Vertex; 3],
-    /// Whether b and c were exchanged for that.
-    pub(crate) is_turned: bool,
     /// Where the edges bc, ca, ab start, and which way they go, in 1/256 pixels.
     from: [[f64; 2]; 3],
     along: [[f64; 2]; 3],
@@ -31,7 +29,6 @@ impl Edges {
         let along = |from: [f64; 2], to: [f64; 2]| [to[0] - from[0], to[1] - from[1]];
         Self {
             corners,
-            is_turned,
             from: [b, c, a],
             along: [along(b, c), along(c, a), along(a, b)],
             inv_doubled_area: 1.0 / area.abs(),

@@ -13,12 +13,12 @@ pub(crate) struct Eight<S: Simd> {
 }
 
 /// The indices of the corners of eight triangles.
-#[derive(Clone, Copy, Debug)]
-pub enum Corners {
-    /// Eight different ones, or some of them several times.
-    Each([[u32; 3]; 8]),
-    /// Eight times the same.
-    Same([u32; 3]),
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Corners {
+    /// Of each triangle; of the first alone if they are the same.
+    pub each: [[u32; 3]; 8],
+    /// Whether all eight are the same triangle.
+    pub are_same: bool,
 }
 
 impl<S: Simd> Eight<S> {
@@ -82,14 +82,12 @@ pub fn gather_columns<S: Simd>(
     corners: &Corners,
     k: usize,
 ) -> [f32x8<S>; 4] {
-    let indices = match corners {
-        Corners::Each(indices) => indices,
-        Corners::Same(one) => {
-            let [x, y, z, w] = of_vertices[one[k] as usize];
-            let splat = |x: f32| f32x8::splat(simd, x);
-            return [splat(x), splat(y), splat(z), splat(w)];
-        }
-    };
+    let indices = &corners.each;
+    if corners.are_same {
+        let [x, y, z, w] = of_vertices[indices[0][k] as usize];
+        let splat = |x: f32| f32x8::splat(simd, x);
+        return [splat(x), splat(y), splat(z), splat(w)];
+    }
     let vertex = |n: usize| f32x4::load_array_ref(simd, &of_vertices[indices[n][k] as usize]);
     let low = turned(vertex(0), vertex(1), vertex(2), vertex(3));
     let high = turned(vertex(4), vertex(5), vertex(6), vertex(7));

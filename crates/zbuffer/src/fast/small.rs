@@ -22,9 +22,9 @@ impl Band {
         simd: S,
         numbers: &[Number; 8],
         vertices: &[Vertex],
-        indices: [[u32; 3]; 8],
+        corners: &Corners,
     ) {
-        let eight = Eight::gather(simd, vertices, &Corners::Each(indices));
+        let eight = Eight::gather(simd, vertices, corners);
         let columns = centers(simd, eight.extent(0), self.width);
         let rows = self.rows_within(simd, centers(simd, eight.extent(1), self.height));
         let limit = f32x8::splat(simd, TINY);
