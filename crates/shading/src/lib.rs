@@ -5,6 +5,7 @@
 //! - [`mode`]: flat, Gouraud and Phong shading (L37, L38, L40).
 //! - [`plain`]: the z-buffer algorithm with shading in its loop, as on the slide (L16).
 //! - [`mod@render`]: the same picture faster, by z-buffer or by the painter's algorithm; [`frame`] is what comes out.
+//! - [`fast`]: the picture alone, many times as fast.
 //!
 //! **Phong shading is not the Phong lighting model** (L42). Shading, here, says where between the vertices the lighting
 //! model is evaluated and with which normal; the models are in the crate `lighting`, and any goes with any.

@@ -6,6 +6,7 @@
 //! - [`depth_buffer`]: the nearest depth so far (L16).
 //! - [`depth_format`]: a depth in 32, 24 or 16 bits, and what that cannot tell apart (L20).
 //! - [`mod@draw`]: the z-buffer algorithm of the slide (L16), and how often it computes a colour in vain (E16).
+//! - [`fast`]: the same answers for whole meshes, many triangles and pixels at a time.
 //! - [`painter`]: the painter's algorithm, occlusion cycles and what to do about them (L13, L14).
 //!
 //! Depth is canonical z, affine on the screen: near +1, far −1, **larger is nearer**. Pixels are (i, j), j upwards.

@@ -52,7 +52,7 @@ const OVERHANG: usize = 4;
 impl Band {
     /// Draws band `b`: for each pixel the nearest triangle, and of equally near ones the first (L16).
     ///
-    /// The same triangles and the same depths, bit for bit, as [`crate::rasterize`] and [`crate::DepthBuffer`] find.
+    /// The same triangles and the same depths, bit for bit, as [`crate::rasterize()`] and [`crate::DepthBuffer`] find.
     ///
     /// - `parts`: those of [`Projected::project`].
     ///

@@ -14,7 +14,7 @@ use crate::screen::{SUBPIXELS, ScreenTriangle, ScreenVertex};
 
 /// α, β and γ of eight pixels, and those of which they are not known.
 pub struct Weights<S: Simd> {
-    /// α, β, γ, perspective-correct (E9): computed in f64 as [`crate::rasterize`] does, so that hardly one in ten million differs in its last bit.
+    /// α, β, γ, perspective-correct (E9): computed in f64 as [`crate::rasterize()`] does, so that hardly one in ten million differs in its last bit.
     pub columns: [f32x8<S>; 3],
     /// Pixels of triangles that were clipped: for them ask [`Singly`].
     pub is_clipped: mask32x8<S>,
@@ -49,7 +49,7 @@ pub struct Singly {
 }
 
 impl Singly {
-    /// The weights in pixel (i, j), which shows triangle `number`, as [`crate::rasterize`] gives them.
+    /// The weights in pixel (i, j), which shows triangle `number`, as [`crate::rasterize()`] gives them.
     ///
     /// - `mesh`: that of the triangle's part.
     ///
