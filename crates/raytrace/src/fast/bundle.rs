@@ -1,4 +1,4 @@
-//! A ray with a little thickness: what boxes are tested against, for one ray and for eight at once.
+//! Which boxes may eight rays meet? Those that a ray with a little thickness meets.
 //!
 //! A bundle is an interval of origins and an interval of directions, axis by axis. It meets a box unless *no* ray of it
 //! does: the side where a ray enters is met at the earliest by the foremost origin with the fastest direction, the side

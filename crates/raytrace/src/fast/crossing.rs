@@ -1,4 +1,4 @@
-//! Four or eight triangle tests at once, in f32, that know what they do not know.
+//! When may a quick test in f32 be believed? When it knows how wrong it can be.
 //!
 //! The test is that of Möller and Trumbore: three determinants u, v, w, one for each edge, which have one sign where the
 //! ray passes inside. In f32 they are wrong by up to a *margin* that is derived below. So there are three answers:

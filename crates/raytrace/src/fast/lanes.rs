@@ -1,4 +1,4 @@
-//! Eight rays and one mesh: each step down the tree and each triangle is shared by all of them.
+//! What do eight rays meet in one mesh? Each step down the tree and each triangle is shared by all of them.
 
 use fearless_simd::{f32x8, prelude::*, u32x8};
 use geometry::Ray;

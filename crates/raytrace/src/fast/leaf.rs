@@ -1,4 +1,4 @@
-//! The triangles of a mesh, four to a leaf, side by side in memory as the tests want them.
+//! How do four triangles lie in memory so that one instruction reads the same coordinate of all? By corner, then coordinate.
 
 use fearless_simd::{f32x4, f32x8, prelude::*};
 use geometry::{Mesh, Triangle};
@@ -17,8 +17,8 @@ pub(crate) struct Leaf {
     numbers: [u32; LEAF],
 }
 
-#[derive(Clone, Copy, Default)]
 /// What a ray may hit in a leaf, one bit for each triangle, and between which two t if it does.
+#[derive(Clone, Copy, Default)]
 pub(crate) struct Candidates {
     pub(crate) possible: u32,
     pub(crate) sure: u32,

@@ -1,4 +1,4 @@
-//! One ray and one mesh.
+//! Which triangle of a mesh does a ray meet first? The quick test finds out, the exact one has the last word.
 
 use fearless_simd::Simd;
 use geometry::{Aabb, Mesh};

@@ -1,4 +1,4 @@
-//! Eight rays that run much the same way, searched as one.
+//! What can eight rays share that run much the same way? Every step down the tree.
 //!
 //! The boxes see one [`Bundle`]; eight rays share each step down the tree. In a leaf each triangle is tested against all
 //! eight at once. Which hit is best is known lane by lane, by the same sure bounds as for one ray; only the winners, and

@@ -21,7 +21,7 @@ pub(crate) const WIDTH: usize = 8;
 pub(crate) const LEAF: usize = 4;
 
 /// A tree of boxes over things that are known by number.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Tree {
     /// The root first; empty where there is nothing.
     pub(super) nodes: Vec<Node>,
@@ -30,7 +30,7 @@ pub(crate) struct Tree {
 }
 
 /// The boxes of up to eight children: lower and upper sides on each axis.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(32))]
 pub(super) struct Node {
     sides: [[[f32; WIDTH]; 2]; 3],
@@ -38,7 +38,7 @@ pub(super) struct Node {
 }
 
 /// The number of a node, or, with the highest bit set, of a leaf.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Child(pub(super) u32);
 
 impl Child {
