@@ -9,10 +9,10 @@ use transforms::{Camera, Pipeline, ViewVolume};
 
 /// Where the eye is; it looks at the origin. And the light.
 const EYE: Vec3 = vec3(1.2, 0.9, 2.4);
-pub const LIGHT: Vec3 = vec3(-2.0, 4.0, 5.0);
+pub(crate) const LIGHT: Vec3 = vec3(-2.0, 4.0, 5.0);
 
 /// The view of 45° from the eye.
-pub fn view(width: u32, height: u32) -> Pipeline {
+pub(crate) fn view(width: u32, height: u32) -> Pipeline {
     let camera = Camera::look_at(EYE, Vec3::ZERO, Vec3::Y).expect("the eye is not at the origin");
     let aspect = width as f32 / height as f32;
     let volume = ViewVolume::from_fov_y(45_f32.to_radians(), aspect, -0.5, -10.0).expect("0 > near > far");
@@ -20,7 +20,7 @@ pub fn view(width: u32, height: u32) -> Pipeline {
 }
 
 /// A ball of 12·n² triangles with bumps and smooth normals: the grid of a cube, blown up.
-pub fn bumpy(n: u32) -> Mesh {
+pub(crate) fn bumpy(n: u32) -> Mesh {
     let (mut numbers, mut positions, mut triangles) = (HashMap::new(), Vec::new(), Vec::new());
     for (axis, side) in (0..3).flat_map(|axis| [(axis, 0), (axis, n)]) {
         for (u, v) in (0..n).flat_map(|v| (0..n).map(move |u| (u, v))) {
@@ -50,7 +50,7 @@ fn with_bumps(d: Vec3) -> Vec3 {
 }
 
 /// A ray for each of `side` × `side` pixels, in blocks of 4 × 2.
-pub fn primary(side: u32) -> Vec<Ray> {
+pub(crate) fn primary(side: u32) -> Vec<Ray> {
     let view = view(side, side);
     let blocks = (0..side).step_by(2).flat_map(|j| (0..side).step_by(4).map(move |i| (i, j)));
     let pixels = blocks.flat_map(|(i, j)| (0..8).map(move |k| (i + k % 4, j + k / 4)));
@@ -58,7 +58,7 @@ pub fn primary(side: u32) -> Vec<Ray> {
 }
 
 /// Rays between points of a sphere around the mesh that have nothing to do with each other.
-pub fn random(count: usize) -> Vec<Ray> {
+pub(crate) fn random(count: usize) -> Vec<Ray> {
     let mut state = 20_260_401_u64;
     // SplitMix64 (Steele, Lea and Flood, 2014).
     let mut signed = move || {

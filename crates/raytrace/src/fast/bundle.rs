@@ -1,4 +1,4 @@
-//! A ray with a little thickness: what boxes are tested against, for one ray and for eight at once.
+//! Which boxes may eight rays meet? Those that a ray with a little thickness meets.
 //!
 //! A bundle is an interval of origins and an interval of directions, axis by axis. It meets a box unless *no* ray of it
 //! does: the side where a ray enters is met at the earliest by the foremost origin with the fastest direction, the side
@@ -11,7 +11,7 @@
 use fearless_simd::{f32x8, prelude::*};
 use glam::{DVec3, Vec3};
 
-use super::crossing::Lanes;
+use super::lanes::Lanes;
 use crate::space::SpaceRay;
 
 /// Along one axis.
@@ -54,7 +54,9 @@ impl Bundle {
         // Where the direction in f64 is so small that it is nothing in f32, it is not nothing.
         let vanished = direction.cmpeq(Vec3::ZERO).bitmask() != ray.direction.cmpeq(DVec3::ZERO).bitmask();
         let before = before(t0)?;
-        if vanished || !(tame.all() && direction.abs().max_element() < TAME && origin.abs().max_element() < TAME) {
+        if vanished
+            || !(tame.all() && direction.abs().max_element() < TAME && origin.abs().max_element() < TAME)
+        {
             return None;
         }
         let mut slabs = [Slab::default(); 3];
@@ -69,11 +71,11 @@ impl Bundle {
     /// ray is the first to leave.
     #[inline(always)]
     pub(crate) fn of_eight<S: Simd>(simd: S, rays: &Lanes<S>, t0: f32) -> Option<Self> {
-        if !(t0 >= 0.0) {
+        if t0.is_nan() || t0 < 0.0 {
             return None;
         }
         let mut slabs = [Slab::default(); 3];
-        for axis in 0..3 {
+        for (axis, slab) in slabs.iter_mut().enumerate() {
             let (o, d) = (rays.origin[axis], rays.direction[axis]);
             let speed = d.abs();
             let tame = speed.simd_gt(TAME.recip()) | d.simd_eq(f32x8::splat(simd, 0.0));
@@ -82,7 +84,7 @@ impl Bundle {
             if !tame.all_true() || least.is_sign_positive() != most.is_sign_positive() {
                 return None;
             }
-            slabs[axis] = Slab::new([o.reduce_min(), o.reduce_max()], [least, most], 0.0);
+            *slab = Slab::new([o.reduce_min(), o.reduce_max()], [least, most], 0.0);
         }
         Some(Self { slabs, t0 })
     }

@@ -1,4 +1,4 @@
-//! Four or eight triangle tests at once, in f32, that know what they do not know.
+//! When may a quick test in f32 be believed? When it knows how wrong it can be.
 //!
 //! The test is that of Möller and Trumbore: three determinants u, v, w, one for each edge, which have one sign where the
 //! ray passes inside. In f32 they are wrong by up to a *margin* that is derived below. So there are three answers:
@@ -21,11 +21,8 @@
 //!
 //! What the exact test itself rounds, in f64, is smaller by 2²⁹ and disappears in what was rounded up.
 
-use fearless_simd::{f32x8, prelude::*};
-use geometry::Ray;
+use fearless_simd::prelude::*;
 
-use super::packet::LANES;
-use crate::object::Object;
 use crate::space::SpaceRay;
 
 /// What the tests of one ray on one mesh have in common.
@@ -40,11 +37,11 @@ pub(crate) struct Probe {
 }
 
 /// 64η.
-const SHARE: f32 = 32.0 * f32::EPSILON;
+pub(super) const SHARE: f32 = 32.0 * f32::EPSILON;
 
 /// Numbers between this and its inverse (directions), or at most as large (places), can be multiplied three at a time
 /// without leaving the range of f32.
-const TAME: f32 = (1_u64 << 40) as f32;
+pub(super) const TAME: f32 = (1_u64 << 40) as f32;
 
 /// Added to sizes, so that margins are larger than what is lost below the range of f32 (2⁻¹⁰⁶ of what is tame).
 pub(crate) const LEAST_SIZE: f32 = 1.0 / (1_u32 << 30) as f32;
@@ -63,67 +60,6 @@ impl Probe {
         let (origin, direction) = (origin.to_array(), direction.to_array());
         Some(Self { origin, direction, error, margin: error * speed })
     }
-}
-
-/// [`Probe`] for each of eight rays.
-#[derive(Clone, Copy)]
-pub(crate) struct Lanes<S: Simd> {
-    pub(crate) origin: [f32x8<S>; 3],
-    pub(crate) direction: [f32x8<S>; 3],
-    pub(crate) error: f32x8<S>,
-    pub(crate) margin: f32x8<S>,
-}
-
-impl<S: Simd> Lanes<S> {
-    /// The rays as they are. `None` if one is none, or if f32 may overflow.
-    #[inline(always)]
-    pub(crate) fn new(simd: S, rays: &[Ray; LANES]) -> Option<Self> {
-        let (mut origins, mut directions) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3]);
-        for (lane, ray) in rays.iter().enumerate() {
-            for axis in 0..3 {
-                origins[axis][lane] = ray.origin[axis];
-                directions[axis][lane] = ray.direction[axis];
-            }
-        }
-        Self::tame(simd, &origins, &directions, 0.0)
-    }
-
-    /// The rays in the space of an object; see [`Probe::new`].
-    #[inline(always)]
-    pub(crate) fn in_space(simd: S, object: &Object, rays: &[Ray; LANES], reach: f32) -> Option<Self> {
-        let (mut origins, mut directions) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3]);
-        for (lane, ray) in rays.iter().enumerate() {
-            let (origin, direction) = if object.is_in_place() {
-                (ray.origin, ray.direction)
-            } else {
-                let ray = object.ray_from_world(&SpaceRay::of(ray));
-                (ray.origin.as_vec3(), ray.direction.as_vec3())
-            };
-            for axis in 0..3 {
-                origins[axis][lane] = origin[axis];
-                directions[axis][lane] = direction[axis];
-            }
-        }
-        Self::tame(simd, &origins, &directions, reach)
-    }
-
-    #[inline(always)]
-    fn tame(simd: S, origin: &[[f32; LANES]; 3], direction: &[[f32; LANES]; 3], reach: f32) -> Option<Self> {
-        let (origin, direction) = (lanes(simd, origin), lanes(simd, direction));
-        let sum = |[x, y, z]: [f32x8<S>; 3]| x.abs() + y.abs() + z.abs();
-        let (far, speed) = (sum(origin) + reach, sum(direction));
-        let tame = far.simd_lt(TAME) & speed.simd_lt(TAME) & speed.simd_gt(TAME.recip());
-        if !tame.all_true() {
-            return None;
-        }
-        let error = far * SHARE + LEAST_SIZE;
-        Some(Self { origin, direction, error, margin: error * speed })
-    }
-}
-
-#[inline(always)]
-fn lanes<S: Simd>(simd: S, [x, y, z]: &[[f32; LANES]; 3]) -> [f32x8<S>; 3] {
-    [f32x8::load_array_ref(simd, x), f32x8::load_array_ref(simd, y), f32x8::load_array_ref(simd, z)]
 }
 
 /// The determinants of as many tests as there are lanes.

@@ -1,4 +1,4 @@
-//! The triangles of a mesh, four to a leaf, side by side in memory as the tests want them.
+//! How do four triangles lie in memory so that one instruction reads the same coordinate of all? By corner, then coordinate.
 
 use fearless_simd::{f32x4, f32x8, prelude::*};
 use geometry::{Mesh, Triangle};
@@ -14,9 +14,11 @@ pub(crate) struct Leaf {
     /// L: no edge is longer.
     size: f32,
     len: u32,
+    numbers: [u32; LEAF],
 }
 
 /// What a ray may hit in a leaf, one bit for each triangle, and between which two t if it does.
+#[derive(Clone, Copy, Default)]
 pub(crate) struct Candidates {
     pub(crate) possible: u32,
     pub(crate) sure: u32,
@@ -27,7 +29,7 @@ pub(crate) struct Candidates {
 impl Leaf {
     /// The triangles with these numbers; places that are not used hold NaN, which nothing hits.
     pub(crate) fn new(mesh: &Mesh, numbers: &[u32; LEAF]) -> Self {
-        let mut leaf = Self { corners: [[[f32::NAN; LEAF]; 3]; 3], size: 0.0, len: 0 };
+        let mut leaf = Self { corners: [[[f32::NAN; LEAF]; 3]; 3], size: 0.0, len: 0, numbers: *numbers };
         for (place, &number) in numbers.iter().enumerate().filter(|(_, number)| **number != u32::MAX) {
             let triangle = mesh.triangle(number as usize);
             leaf.len += 1;
@@ -54,22 +56,22 @@ impl Leaf {
 
     /// One ray against all triangles.
     #[inline(always)]
-    pub(crate) fn candidates<S: Simd>(&self, simd: S, probe: &Probe) -> Option<Candidates> {
+    pub(crate) fn candidates<S: Simd>(&self, simd: S, probe: &Probe) -> Candidates {
         let [a, b, c] = &self.corners;
         let corners = [four(simd, a), four(simd, b), four(simd, c)];
         let crossing = Crossing::new(spread4(simd, probe.origin), spread4(simd, probe.direction), corners);
         let margin = f32x4::splat(simd, probe.margin * self.size);
         let possible = crossing.possible(margin);
         if possible == 0 {
-            return None;
+            return Candidates::default();
         }
         let (at_least, at_most) = crossing.t(simd, f32x4::splat(simd, probe.error * self.size * self.size));
-        Some(Candidates {
+        Candidates {
             possible,
             sure: crossing.sure(margin).to_bitmask() as u32,
             at_least: at_least.to_array(),
             at_most: at_most.to_array(),
-        })
+        }
     }
 
     /// Eight rays against one triangle.
@@ -84,6 +86,12 @@ impl Leaf {
         let [a, b, c] = &self.corners;
         let corners = [one(simd, a, place), one(simd, b, place), one(simd, c, place)];
         Crossing::new(origins, directions, corners)
+    }
+
+    /// The triangle's number in the mesh.
+    #[inline(always)]
+    pub(crate) fn number(&self, place: usize) -> u32 {
+        self.numbers[place % LEAF]
     }
 
     /// How many triangles there are.

@@ -1,4 +1,4 @@
-//! One ray and one mesh.
+//! Which triangle of a mesh does a ray meet first? The quick test finds out, the exact one has the last word.
 
 use fearless_simd::Simd;
 use geometry::{Aabb, Mesh};
@@ -32,8 +32,8 @@ pub(crate) struct Place {
 impl Leaves {
     /// `boxes`: around the mesh's triangles; a triangle with an empty box is left out.
     pub(crate) fn new(mesh: &Mesh, boxes: &[Aabb]) -> Self {
-        let tree = Tree::new(boxes);
-        let leaves = tree.leaves().par_iter().map(|numbers| Leaf::new(mesh, numbers)).collect();
+        let mut tree = Tree::new(boxes);
+        let leaves = tree.take_leaves().par_iter().map(|numbers| Leaf::new(mesh, numbers)).collect();
         // The sum of coordinates is greater than the length, by more than rounding unless it lies on an axis.
         let far = mesh.positions().iter().map(|p| p.abs().element_sum()).fold(0.0, f32::max);
         let reach = far * (1.0 + 4.0 * f32::EPSILON);
@@ -49,12 +49,16 @@ impl Leaves {
             return false;
         };
         let mut best = Best::new(t1);
-        self.tree.walk(simd, &bundle, t1, #[inline(always)] |_, leaf| {
-            if let Some(candidates) = self.leaves[leaf].candidates(simd, &probe) {
-                self.take(ray, leaf, &candidates, &mut best, nearest);
-            }
-            best.at_most
-        });
+        self.tree.walk(
+            simd,
+            &bundle,
+            t1,
+            #[inline(always)]
+            |_, leaf| {
+                self.take(ray, leaf, &self.leaves[leaf].candidates(simd, &probe), &mut best, nearest);
+                best.at_most
+            },
+        );
         self.offer_exact(ray, best.place, nearest);
         true
     }
@@ -85,9 +89,8 @@ impl Leaves {
             t1,
             #[inline(always)]
             |lane, leaf| {
-                if let Some(candidates) = self.leaves[leaf].candidates(simd, &probes[lane]) {
-                    self.take(&rays[lane], leaf, &candidates, &mut best[lane], &mut nearest[lane]);
-                }
+                let candidates = self.leaves[leaf].candidates(simd, &probes[lane]);
+                self.take(&rays[lane], leaf, &candidates, &mut best[lane], &mut nearest[lane]);
                 best[lane].at_most
             },
         );
@@ -102,12 +105,16 @@ impl Leaves {
     pub(crate) fn any<S: Simd>(&self, simd: S, ray: &SpaceRay, t0: f32, t1: f32) -> Option<bool> {
         let (bundle, probe) = (Bundle::of_one(ray, t0)?, Probe::new(ray, self.reach)?);
         let mut found = false;
-        self.tree.walk(simd, &bundle, t1, #[inline(always)] |_, leaf| {
-            if let Some(candidates) = self.leaves[leaf].candidates(simd, &probe) {
-                found = self.any_of(ray, leaf, &candidates, t0, t1);
-            }
-            if found { f32::NEG_INFINITY } else { t1 }
-        });
+        self.tree.walk(
+            simd,
+            &bundle,
+            t1,
+            #[inline(always)]
+            |_, leaf| {
+                found = self.any_of(ray, leaf, &self.leaves[leaf].candidates(simd, &probe), t0, t1);
+                if found { f32::NEG_INFINITY } else { t1 }
+            },
+        );
         Some(found)
     }
 
@@ -154,7 +161,7 @@ impl Leaves {
     pub(super) fn offer_exact(&self, ray: &SpaceRay, place: Option<Place>, nearest: &mut Nearest) {
         let Some(Place { leaf, place }) = place else { return };
         if let Some(hit) = ShearedRay::new(ray).hit(&self.leaves[leaf].triangle(place)) {
-            nearest.offer(self.tree.leaves()[leaf][place], hit);
+            nearest.offer(self.leaves[leaf].number(place), hit);
         }
     }
 
@@ -182,7 +189,13 @@ impl Leaves {
 
     #[cold]
     #[inline(never)]
-    pub(super) fn is_exactly_hit(&self, ray: &SpaceRay, Place { leaf, place }: Place, t0: f32, t1: f32) -> bool {
+    pub(super) fn is_exactly_hit(
+        &self,
+        ray: &SpaceRay,
+        Place { leaf, place }: Place,
+        t0: f32,
+        t1: f32,
+    ) -> bool {
         let hit = ShearedRay::new(ray).hit(&self.leaves[leaf].triangle(place));
         hit.is_some_and(|hit| t0 < hit.t && hit.t < t1)
     }

@@ -1,4 +1,5 @@
-//! A picture, eight by eight pixels at a time: their viewing rays go together, and so do the shadow rays of what they hit.
+//! In which order is a picture drawn? Eight by eight pixels at a time: their viewing rays go together, and so do the shadow
+//! rays of what they hit.
 
 use canvas::{Rgb, row_from_j};
 use geometry::Ray;

@@ -12,6 +12,7 @@ use fearless_simd::{f32x8, prelude::*};
 use glam::Vec3A;
 
 use super::bundle::{Bundle, Slab};
+use super::walk::Walk;
 
 /// Children of a node.
 pub(crate) const WIDTH: usize = 8;
@@ -20,7 +21,7 @@ pub(crate) const WIDTH: usize = 8;
 pub(crate) const LEAF: usize = 4;
 
 /// A tree of boxes over things that are known by number.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Tree {
     /// The root first; empty where there is nothing.
     pub(super) nodes: Vec<Node>,
@@ -29,16 +30,16 @@ pub(crate) struct Tree {
 }
 
 /// The boxes of up to eight children: lower and upper sides on each axis.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(32))]
 pub(super) struct Node {
     sides: [[[f32; WIDTH]; 2]; 3],
-    children: [Child; WIDTH],
+    pub(super) children: [Child; WIDTH],
 }
 
 /// The number of a node, or, with the highest bit set, of a leaf.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Child(u32);
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Child(pub(super) u32);
 
 impl Child {
     const LEAF_BIT: u32 = 1 << 31;
@@ -49,6 +50,12 @@ impl Child {
 
     pub(super) fn leaf(k: usize) -> Self {
         Self(k as u32 | Self::LEAF_BIT)
+    }
+
+    /// The number of the leaf, if it is one.
+    #[inline(always)]
+    pub(super) fn as_leaf(self) -> Option<usize> {
+        (self.0 & Self::LEAF_BIT != 0).then_some((self.0 & !Self::LEAF_BIT) as usize)
     }
 
     fn renumbered(self, nodes: u32, leaves: u32) -> Self {
@@ -96,6 +103,11 @@ fn along<S: Simd>(simd: S, sides: &[[f32; WIDTH]; 2], slab: &Slab) -> (f32x8<S>,
 }
 
 impl Tree {
+    /// Takes the leaves out, for somebody who keeps more of each thing than its number.
+    pub(super) fn take_leaves(&mut self) -> Vec<[u32; LEAF]> {
+        std::mem::take(&mut self.leaves)
+    }
+
     /// The things in each leaf; places that are not used hold [`u32::MAX`].
     pub(crate) fn leaves(&self) -> &[[u32; LEAF]] {
         &self.leaves
@@ -108,7 +120,7 @@ impl Tree {
 
     /// Opens the leaves that the bundle meets with t up to `t1`, nearer boxes first, roughly.
     ///
-    /// `open` gets 0 (see [`Tree::walk_each`]) and a leaf's number, and returns where the search ends from now on; −∞ ends
+    /// `open` gets 0 (see [`Tree::walk_each`]) and a leaf's number, and returns where the search ends from now on: −∞ ends
     /// it at once.
     #[inline(always)]
     pub(crate) fn walk<S: Simd>(
@@ -169,147 +181,6 @@ impl Tree {
 
     #[inline(always)]
     fn start(&self) -> Walk {
-        let next = if self.nodes.is_empty() { None } else { Some(Child(0)) };
-        Walk { next, waiting: Stack::default() }
-    }
-}
-
-/// Where one bundle is on its way through the tree.
-struct Walk {
-    /// The next child, where that is decided.
-    next: Option<Child>,
-    waiting: Stack,
-}
-
-impl Walk {
-    /// Opens leaves until the next one is a node. `None` at the end of the way.
-    ///
-    /// `open` gets `lane`, too.
-    #[inline(always)]
-    fn next_node(
-        &mut self,
-        t1: &mut f32,
-        lane: usize,
-        open: &mut impl FnMut(usize, usize) -> f32,
-    ) -> Option<usize> {
-        loop {
-            let child = match self.next.take() {
-                Some(child) => child,
-                None => {
-                    let waiting = self.waiting.pop()?;
-                    // The search may have become shorter since the box was put aside.
-                    if !(waiting.enter() <= *t1) {
-                        continue;
-                    }
-                    waiting.child()
-                }
-            };
-            if child.0 & Child::LEAF_BIT == 0 {
-                return Some(child.0 as usize);
-            }
-            *t1 = open(lane, (child.0 ^ Child::LEAF_BIT) as usize);
-        }
-    }
-
-    /// Goes on to the nearest child that is met, and puts the others aside.
-    #[inline(always)]
-    fn choose(&mut self, node: &Node, enter: &[f32; WIDTH], met: u32) {
-        let waiting = |met: u32| {
-            let k = met.trailing_zeros() as usize % WIDTH;
-            Waiting::new(enter[k], node.children[k])
-        };
-        let rest = met & met.wrapping_sub(1);
-        if met == 0 {
-        } else if rest == 0 {
-            self.next = Some(waiting(met).child());
-        } else if rest & (rest - 1) == 0 {
-            let (a, b) = (waiting(met), waiting(rest));
-            self.waiting.push(Waiting(a.0.max(b.0)));
-            self.next = Some(Waiting(a.0.min(b.0)).child());
-        } else {
-            let first = self.waiting.len;
-            let mut met = met;
-            while met != 0 {
-                self.waiting.push_sorted(first, waiting(met));
-                met &= met - 1;
-            }
-        }
-    }
-}
-
-/// A child put aside, with where the bundle enters it: the bits of that number, then the child, so that they are ordered by
-/// one comparison. (Where it is negative the order is another one; nothing depends on it.)
-#[derive(Clone, Copy, Default, PartialEq, PartialOrd)]
-struct Waiting(u64);
-
-impl Waiting {
-    #[inline(always)]
-    fn new(enter: f32, child: Child) -> Self {
-        Self(u64::from(enter.to_bits()) << 32 | u64::from(child.0))
-    }
-
-    #[inline(always)]
-    fn enter(self) -> f32 {
-        f32::from_bits((self.0 >> 32) as u32)
-    }
-
-    #[inline(always)]
-    fn child(self) -> Child {
-        Child(self.0 as u32)
-    }
-}
-
-/// Children put aside. The first few need no memory of their own; more happen only in a badly balanced tree.
-struct Stack {
-    few: [Waiting; Stack::FEW],
-    len: usize,
-    more: Vec<Waiting>,
-}
-
-impl Default for Stack {
-    #[inline(always)]
-    fn default() -> Self {
-        Self { few: [Waiting::default(); Self::FEW], len: 0, more: Vec::new() }
-    }
-}
-
-impl Stack {
-    const FEW: usize = 32;
-
-    #[inline(always)]
-    fn push(&mut self, item: Waiting) {
-        match self.few.get_mut(self.len) {
-            Some(place) => {
-                *place = item;
-                self.len += 1;
-            }
-            None => self.more.push(item),
-        }
-    }
-
-    /// Pushes the item below those from `first` on that are nearer.
-    #[inline(always)]
-    fn push_sorted(&mut self, first: usize, item: Waiting) {
-        if self.len == Self::FEW {
-            return self.more.push(item);
-        }
-        let mut place = self.len;
-        while place > first && self.few[place - 1] < item {
-            self.few[place] = self.few[place - 1];
-            place -= 1;
-        }
-        self.few[place] = item;
-        self.len += 1;
-    }
-
-    #[inline(always)]
-    fn pop(&mut self) -> Option<Waiting> {
-        if self.len == Self::FEW
-            && let Some(item) = self.more.pop()
-        {
-            return Some(item);
-        }
-        self.len = self.len.checked_sub(1)?;
-        self.few.get(self.len).copied()
+        Walk::from((!self.nodes.is_empty()).then(|| Child::node(0)))
     }
 }
