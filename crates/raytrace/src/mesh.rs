@@ -105,6 +105,7 @@ fn bits(mesh: &Mesh, k: usize) -> [u32; 9] {
 /// A number that hangs on every bit.
 fn mixed(bits: &[u32; 9]) -> u32 {
     // An odd number without a pattern: multiplying carries each bit upwards, so the upper ones are the mixed ones.
-    let mix = |hash: u64, bits: &u32| (hash.rotate_left(5) ^ u64::from(*bits)).wrapping_mul(0x517c_c1b7_2722_0a95);
+    let mix =
+        |hash: u64, bits: &u32| (hash.rotate_left(5) ^ u64::from(*bits)).wrapping_mul(0x517c_c1b7_2722_0a95);
     (bits.iter().fold(0, mix) >> 32) as u32
 }

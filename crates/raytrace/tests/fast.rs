@@ -19,7 +19,8 @@ fn object(shape: Shape, map: Mat4) -> Object {
 
 /// Two meshes that stand in several places, a sphere and a plane.
 fn world(maps: &[Mat4]) -> World {
-    let (round, sharp) = (shapes::torus(2.0, 0.75, 2).unwrap(), shapes::cuboid(vec3(1.0, 2.0, 3.0), 2).unwrap());
+    let (round, sharp) =
+        (shapes::torus(2.0, 0.75, 2).unwrap(), shapes::cuboid(vec3(1.0, 2.0, 3.0), 2).unwrap());
     let [round, sharp] = [round, sharp].map(|mesh| Arc::new(TracedMesh::new(mesh)));
     let shape = |k: usize| match k % 5 {
         0 | 2 => Shape::Mesh(round.clone()),
@@ -103,21 +104,28 @@ fn packets_and_the_slides_loop_find_the_same() {
 
 #[test]
 fn shadow_rays_to_a_lamp_and_to_the_sun_find_the_same() {
-    Law::new("rays from many places to one lamp, and side by side to the sun, find the same").cases(200).holds_for(
-        (maps(), 0..AIMS, strategy::point(6.0), any::<bool>()),
-        |(maps, aim, light, is_sun), _| {
-            let world = world(&maps);
-            let start = |k: usize| {
-                let [a, b, c] = world.objects()[0].corners(aim + k / 4).unwrap();
-                let weights = [(0.5, 0.25), (0.1, 0.8), (0.0, 0.5), (0.0, 0.0)][k % 4];
-                a + weights.0 * (b - a) + weights.1 * (c - a)
-            };
-            let ray = |k: usize| {
-                if is_sun { Ray::new(start(k), light) } else { Ray::through(start(k), light) }
-            };
-            same_answers(&world, &(0..16).map(ray).collect::<Vec<_>>(), 0.0, if is_sun { 9.0 } else { 1.0 })
-        },
-    );
+    Law::new("rays from many places to one lamp, and side by side to the sun, find the same")
+        .cases(200)
+        .holds_for(
+            (maps(), 0..AIMS, strategy::point(6.0), any::<bool>()),
+            |(maps, aim, light, is_sun), _| {
+                let world = world(&maps);
+                let start = |k: usize| {
+                    let [a, b, c] = world.objects()[0].corners(aim + k / 4).unwrap();
+                    let weights = [(0.5, 0.25), (0.1, 0.8), (0.0, 0.5), (0.0, 0.0)][k % 4];
+                    a + weights.0 * (b - a) + weights.1 * (c - a)
+                };
+                let ray = |k: usize| {
+                    if is_sun { Ray::new(start(k), light) } else { Ray::through(start(k), light) }
+                };
+                same_answers(
+                    &world,
+                    &(0..16).map(ray).collect::<Vec<_>>(),
+                    0.0,
+                    if is_sun { 9.0 } else { 1.0 },
+                )
+            },
+        );
 }
 
 #[test]
@@ -156,12 +164,11 @@ fn the_first_of_equal_triangles_is_found_and_those_without_area_are_not() {
         vec![object(traced(Mesh::new(mesh.positions().to_vec(), twice).unwrap()), Mat4::IDENTITY)],
         Vec::new(),
     );
-    Law::new("a mesh with every triangle three times, once turned round, and with needles").cases(200).holds_for(
-        (0..mesh.len(), strategy::point(3.0), strategy::point(0.1)),
-        |(aim, from, step), _| {
+    Law::new("a mesh with every triangle three times, once turned round, and with needles")
+        .cases(200)
+        .holds_for((0..mesh.len(), strategy::point(3.0), strategy::point(0.1)), |(aim, from, step), _| {
             same_answers(&world, &fan(&mesh.triangle(aim), from, step, 16), 0.0, f32::INFINITY)
-        },
-    );
+        });
 }
 
 /// Without optimization an eighth of the million: the whole takes ten seconds there.
@@ -175,7 +182,9 @@ fn no_ray_from_inside_a_ball_slips_through_a_corner_or_an_edge() {
     for block in 0..AIMED / 64 {
         // Points of an inner ball of radius 0.6, on a spiral.
         let turn = block as f32 * 2.399_963;
-        let from = 0.6 * (block as f32 * 0.618_034).fract() * vec3(turn.cos(), turn.sin(), (7.0 * turn).sin()).normalize();
+        let from = 0.6
+            * (block as f32 * 0.618_034).fract()
+            * vec3(turn.cos(), turn.sin(), (7.0 * turn).sin()).normalize();
         let rays = fan(&mesh.triangle(block % mesh.len()), from, Vec3::ZERO, 64);
         let rays: Vec<Ray> = rays
             .iter()

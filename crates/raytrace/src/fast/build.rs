@@ -35,7 +35,8 @@ impl Tree {
             max: aabb.max.into(),
             number: number as u32,
         };
-        let mut items: Vec<Item> = boxes.iter().enumerate().filter(|(_, aabb)| !aabb.is_empty()).map(item).collect();
+        let mut items: Vec<Item> =
+            boxes.iter().enumerate().filter(|(_, aabb)| !aabb.is_empty()).map(item).collect();
         if items.is_empty() {
             return Self::default();
         }
@@ -71,7 +72,10 @@ impl Builder {
         let k = tree.nodes.len();
         tree.nodes.push(Node::EMPTY);
         let below: Vec<Option<Tree>> = if parallel {
-            parts.par_iter_mut().map(|part| (part.items.len() > LEAF).then(|| self.alone(part.items))).collect()
+            parts
+                .par_iter_mut()
+                .map(|part| (part.items.len() > LEAF).then(|| self.alone(part.items)))
+                .collect()
         } else {
             Vec::new()
         };

@@ -54,7 +54,9 @@ impl Bundle {
         // Where the direction in f64 is so small that it is nothing in f32, it is not nothing.
         let vanished = direction.cmpeq(Vec3::ZERO).bitmask() != ray.direction.cmpeq(DVec3::ZERO).bitmask();
         let before = before(t0)?;
-        if vanished || !(tame.all() && direction.abs().max_element() < TAME && origin.abs().max_element() < TAME) {
+        if vanished
+            || !(tame.all() && direction.abs().max_element() < TAME && origin.abs().max_element() < TAME)
+        {
             return None;
         }
         let mut slabs = [Slab::default(); 3];

@@ -49,12 +49,18 @@ impl Leaves {
             return false;
         };
         let mut best = Best::new(t1);
-        self.tree.walk(simd, &bundle, t1, #[inline(always)] |_, leaf| {
-            if let Some(candidates) = self.leaves[leaf].candidates(simd, &probe) {
-                self.take(ray, leaf, &candidates, &mut best, nearest);
-            }
-            best.at_most
-        });
+        self.tree.walk(
+            simd,
+            &bundle,
+            t1,
+            #[inline(always)]
+            |_, leaf| {
+                if let Some(candidates) = self.leaves[leaf].candidates(simd, &probe) {
+                    self.take(ray, leaf, &candidates, &mut best, nearest);
+                }
+                best.at_most
+            },
+        );
         self.offer_exact(ray, best.place, nearest);
         true
     }
@@ -102,12 +108,18 @@ impl Leaves {
     pub(crate) fn any<S: Simd>(&self, simd: S, ray: &SpaceRay, t0: f32, t1: f32) -> Option<bool> {
         let (bundle, probe) = (Bundle::of_one(ray, t0)?, Probe::new(ray, self.reach)?);
         let mut found = false;
-        self.tree.walk(simd, &bundle, t1, #[inline(always)] |_, leaf| {
-            if let Some(candidates) = self.leaves[leaf].candidates(simd, &probe) {
-                found = self.any_of(ray, leaf, &candidates, t0, t1);
-            }
-            if found { f32::NEG_INFINITY } else { t1 }
-        });
+        self.tree.walk(
+            simd,
+            &bundle,
+            t1,
+            #[inline(always)]
+            |_, leaf| {
+                if let Some(candidates) = self.leaves[leaf].candidates(simd, &probe) {
+                    found = self.any_of(ray, leaf, &candidates, t0, t1);
+                }
+                if found { f32::NEG_INFINITY } else { t1 }
+            },
+        );
         Some(found)
     }
 
@@ -182,7 +194,13 @@ impl Leaves {
 
     #[cold]
     #[inline(never)]
-    pub(super) fn is_exactly_hit(&self, ray: &SpaceRay, Place { leaf, place }: Place, t0: f32, t1: f32) -> bool {
+    pub(super) fn is_exactly_hit(
+        &self,
+        ray: &SpaceRay,
+        Place { leaf, place }: Place,
+        t0: f32,
+        t1: f32,
+    ) -> bool {
         let hit = ShearedRay::new(ray).hit(&self.leaves[leaf].triangle(place));
         hit.is_some_and(|hit| t0 < hit.t && hit.t < t1)
     }

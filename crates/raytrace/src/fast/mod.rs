@@ -79,22 +79,34 @@ fn nearest_of_one<S: Simd>(simd: S, world: &World, ray: &SpaceRay, t0: f32, t1: 
     for k in world.unbounded() {
         nearest_in_object(simd, world, *k, ray, &mut nearest);
     }
-    world.tree().walk(simd, &bundle, nearest.interval().1, #[inline(always)] |_, leaf| {
-        for &k in world.tree().leaves()[leaf].iter().filter(|k| **k != u32::MAX) {
-            nearest_in_object(simd, world, k, ray, &mut nearest);
-        }
-        nearest.interval().1
-    });
+    world.tree().walk(
+        simd,
+        &bundle,
+        nearest.interval().1,
+        #[inline(always)]
+        |_, leaf| {
+            for &k in world.tree().leaves()[leaf].iter().filter(|k| **k != u32::MAX) {
+                nearest_in_object(simd, world, k, ray, &mut nearest);
+            }
+            nearest.interval().1
+        },
+    );
     nearest.met()
 }
 
 #[inline(always)]
 fn nearest_in_object<S: Simd>(simd: S, world: &World, k: u32, ray: &SpaceRay, nearest: &mut Nearest) {
-    nearest.in_object(world, k as usize, ray, #[inline(always)] |traced, ray, nearest| {
-        if !traced.leaves().nearest(simd, ray, nearest) {
-            traced.nearest_brute(ray, nearest);
-        }
-    });
+    nearest.in_object(
+        world,
+        k as usize,
+        ray,
+        #[inline(always)]
+        |traced, ray, nearest| {
+            if !traced.leaves().nearest(simd, ray, nearest) {
+                traced.nearest_brute(ray, nearest);
+            }
+        },
+    );
 }
 
 #[inline(always)]
@@ -129,7 +141,13 @@ fn any_of_one<S: Simd>(simd: S, world: &World, ray: &SpaceRay, t0: f32, t1: f32)
 }
 
 #[inline(always)]
-fn any_of_objects<S: Simd>(simd: S, world: &World, numbers: &[u32], ray: &SpaceRay, (t0, t1): (f32, f32)) -> bool {
+fn any_of_objects<S: Simd>(
+    simd: S,
+    world: &World,
+    numbers: &[u32],
+    ray: &SpaceRay,
+    (t0, t1): (f32, f32),
+) -> bool {
     for &k in numbers.iter().filter(|k| **k != u32::MAX) {
         if any_in_object(simd, &world.objects()[k as usize], ray, t0, t1) {
             return true;
