@@ -1,5 +1,7 @@
 //! What does a ray–triangle test cost? The three solutions of the system (L51), `raytri` and the watertight test, on the
 //! same thousand rays and triangles, of which about half meet. Read the ratios within the one group.
+//!
+//! `cargo bench -p raytrace -- triangle`
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -29,7 +31,7 @@ fn pairs() -> Vec<(Ray, Triangle)> {
 
 fn triangle(criterion: &mut Criterion) {
     let pairs = pairs();
-    let mut group = criterion.benchmark_group("ray and triangle");
+    let mut group = criterion.benchmark_group("triangle, 1000 rays");
     group.sample_size(20).warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_secs(1));
     group.throughput(Throughput::Elements(PAIRS as u64));
     let solvers: [(&str, Solver); 3] =

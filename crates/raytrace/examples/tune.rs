@@ -1,15 +1,21 @@
 #[path = "../benches/scene/mod.rs"]
 mod scene;
-use std::sync::Arc;
-use std::time::Instant;
+use canvas::Rgb;
 use geometry::Ray;
 use glam::{Mat4, Vec3A};
 use lighting::{Light, Material};
-use canvas::Rgb;
 use raytrace::*;
+use std::sync::Arc;
+use std::time::Instant;
 
 fn best(n: usize, mut f: impl FnMut()) -> f64 {
-    (0..n).map(|_| { let s = Instant::now(); f(); s.elapsed().as_secs_f64() }).fold(f64::MAX, f64::min)
+    (0..n)
+        .map(|_| {
+            let s = Instant::now();
+            f();
+            s.elapsed().as_secs_f64()
+        })
+        .fold(f64::MAX, f64::min)
 }
 
 fn main() {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use canvas::{Image, Rgb};
 use geometry::{Mesh, Ray};
 use glam::Mat4;
-use raytrace::{Settings, Shape, Surface, TracedMesh};
+use raytrace::{Settings, Shape, Surface, TracedMesh, fast};
 use shading::Shading;
 use shading::fast::Renderer;
 use transforms::Pipeline;
@@ -15,7 +15,7 @@ use crate::drawing::{Draws, Picture, Seen};
 use crate::scenes::{self, Scene};
 
 /// What the report says about this version.
-pub(crate) const VERSION: &str = "shading::fast, raytrace::nearest and any_hit";
+pub(crate) const VERSION: &str = "shading::fast and raytrace::fast";
 
 /// Ours, object by object. Memory is kept from frame to frame.
 pub(crate) struct Drawing<'s> {
@@ -76,6 +76,9 @@ pub(crate) fn bytes_of_buffers(pixels: usize) -> usize {
     pixels * (size_of::<Rgb>() + size_of::<f32>())
 }
 
+/// How many rays are handed over in one call.
+const AT_ONCE: usize = 1024;
+
 /// Ours, ray by ray: a mesh with its hierarchy.
 pub(crate) struct Tracing(raytrace::World);
 
@@ -92,15 +95,21 @@ impl Tracing {
 
     /// t of the nearest hit of each ray, infinite for none.
     pub(crate) fn nearest(&self, rays: &[Ray], t: &mut [f32]) {
-        for (ray, t) in rays.iter().zip(t) {
-            *t = raytrace::nearest(&self.0, ray, 0.0, f32::INFINITY).map_or(f32::INFINITY, |hit| hit.t);
+        let mut met = [None; AT_ONCE];
+        for (rays, t) in rays.chunks(AT_ONCE).zip(t.chunks_mut(AT_ONCE)) {
+            let met = &mut met[..rays.len()];
+            fast::nearest_each(&self.0, rays, 0.0, f32::INFINITY, met);
+            t.iter_mut().zip(met).for_each(|(t, met)| *t = met.map_or(f32::INFINITY, |met| met.t));
         }
     }
 
     /// Whether anything is met before t = 1: 0 if so, else infinite.
     pub(crate) fn any(&self, rays: &[Ray], t: &mut [f32]) {
-        for (ray, t) in rays.iter().zip(t) {
-            *t = if raytrace::any_hit(&self.0, ray, 0.0, 1.0) { 0.0 } else { f32::INFINITY };
+        let (ends, mut met) = ([1.0; AT_ONCE], [false; AT_ONCE]);
+        for (rays, t) in rays.chunks(AT_ONCE).zip(t.chunks_mut(AT_ONCE)) {
+            let met = &mut met[..rays.len()];
+            fast::any_hit_each(&self.0, rays, 0.0, &ends[..rays.len()], met);
+            t.iter_mut().zip(met).for_each(|(t, met)| *t = if *met { 0.0 } else { f32::INFINITY });
         }
     }
 
