@@ -17,6 +17,7 @@
 //! Where [`crate::render()`] also says what each pixel shows and what it cost, this gives the picture alone.
 
 mod attributes;
+mod colors;
 mod known;
 mod rows;
 

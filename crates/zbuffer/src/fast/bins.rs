@@ -80,7 +80,7 @@ impl Chunk {
         self.kept.clear();
         self.pieces.clear();
         dispatch!(Level::new(), simd => self.sort_out(simd, sorting, triangles));
-        self.into_bins(2 * sorting.size.1.div_ceil(BAND_ROWS) as usize);
+        self.fill_bins(2 * sorting.size.1.div_ceil(BAND_ROWS) as usize);
     }
 
     #[inline(always)]
@@ -162,7 +162,7 @@ impl Chunk {
     }
 
     /// Counts the triangles of each bin, then puts each into its place: twice over the list, without a list a bin.
-    fn into_bins(&mut self, bins: usize) {
+    fn fill_bins(&mut self, bins: usize) {
         self.starts.clear();
         self.starts.resize(bins + 1, 0);
         for bin in self.kept.iter().flat_map(Kept::bins) {
