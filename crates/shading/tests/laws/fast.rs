@@ -94,7 +94,7 @@ fn the_number_of_threads_and_what_was_drawn_before_do_not_matter() {
                     let mut image = Image::new(45, 37, Rgb::new(7.0, 8.0, 9.0));
                     let renderer: &mut Renderer = &mut renderer.lock().unwrap();
                     pool.install(|| {
-                        renderer.render_into(world, &model.pipeline, shading, Faces::Both, &mut image)
+                        renderer.render_into(world, &model.pipeline, shading, Faces::Both, &mut image);
                     });
                     ensure(image == fresh, || "another picture".to_owned())?;
                 }
