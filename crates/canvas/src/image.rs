@@ -104,15 +104,17 @@ impl Image {
             n > 0 && self.width.is_multiple_of(n) && self.height.is_multiple_of(n),
             "{n} does not divide the image"
         );
-        Self::from_fn(self.width / n, self.height / n, |i, j| {
-            let mut sum = Rgb::ZERO;
-            for dj in 0..n {
-                for di in 0..n {
-                    sum += self.get(i * n + di, j * n + dj);
-                }
-            }
-            sum / (n * n) as f32
-        })
+        let (width, n) = (self.width as usize, n as usize);
+        let mut pixels = Vec::with_capacity(self.pixels.len() / (n * n));
+        for rows in self.pixels.chunks_exact((width * n).max(1)) {
+            pixels.extend((0..width).step_by(n).map(|first| {
+                // From the lowest row upwards, as one would count (i, j).
+                let blocks = rows.chunks_exact(width).rev().map(|row| &row[first..first + n]);
+                let sum = blocks.flatten().fold(Rgb::ZERO, |sum, color| sum + *color);
+                sum / (n * n) as f32
+            }));
+        }
+        Self { width: self.width / n as u32, height: self.height / n as u32, pixels }
     }
 
     fn index(&self, i: u32, j: u32) -> usize {
