@@ -8,13 +8,13 @@ use std::time::Duration;
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use scene::{Loaded, Named, Prepared, Renderer, Scene, Settings, Shape, builtin, prepare, render};
 
-fn settings(renderer: Renderer) -> Settings {
-    Settings { renderer, size: (320, 240), samples: 1, ..Settings::default() }
+fn settings(renderer: Renderer, size: (u32, u32)) -> Settings {
+    Settings { renderer, size, samples: 1, ..Settings::default() }
 }
 
 fn draw(prepared: &Prepared, settings: &Settings) -> f32 {
     let rendered = render(prepared, settings, &|_| ()).expect("a built-in scene");
-    rendered.image.get(160, 120).x
+    rendered.image.get(settings.size.0 / 2, settings.size.1 / 2).x
 }
 
 /// The teapot by all three renderers.
@@ -22,14 +22,15 @@ fn renderers(c: &mut Criterion) {
     let prepared = prepare(&builtin::all()[0].load().expect("built in")).expect("built in");
     let mut group = c.benchmark_group("renderers, teapot 320 × 240");
     for (name, renderer) in Renderer::ALL {
-        let settings = settings(*renderer);
+        let settings = settings(*renderer, (320, 240));
         draw(&prepared, &settings); // The hierarchy is built once, and not in this measurement.
         group.bench_function(*name, |b| b.iter(|| black_box(draw(&prepared, &settings))));
     }
     group.finish();
 }
 
-/// A ball of 20 · 4^level triangles: a rasterizer looks at each of them, a ray at a few boxes.
+/// A ball of 20 · 4^level triangles: a rasterizer looks at each of them, a ray at a few boxes. In a small picture, where there
+/// are more triangles than pixels before there are too many to wait for.
 fn ball(level: u32) -> Loaded {
     let mut loaded = builtin::find("two-spheres").expect("built in").load().expect("built in");
     let scene: &mut Scene = &mut loaded.scene;
@@ -39,11 +40,11 @@ fn ball(level: u32) -> Loaded {
 }
 
 fn crossover(c: &mut Criterion) {
-    let mut group = c.benchmark_group("order: object or image");
+    let mut group = c.benchmark_group("order of objects or of the image, 20 × 15");
     for level in [1, 3, 5, 7] {
         let prepared = prepare(&ball(level)).expect("built in");
         for renderer in [Renderer::ZBuffer, Renderer::Raytrace] {
-            let settings = settings(renderer);
+            let settings = settings(renderer, (20, 15));
             draw(&prepared, &settings);
             let id = BenchmarkId::new(renderer.name(), prepared.triangle_count());
             group.bench_function(id, |b| b.iter(|| black_box(draw(&prepared, &settings))));
