@@ -176,3 +176,19 @@ impl Best {
         Self { at_least: t1, at_most: t1, place: None }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use geometry::shapes;
+
+    use super::*;
+
+    #[test]
+    fn a_triangle_of_a_smooth_mesh_takes_at_most_64_bytes() {
+        let mesh = shapes::icosphere(6).unwrap();
+        let boxes: Vec<Aabb> = (0..mesh.len()).map(|k| mesh.triangle(k).aabb()).collect();
+        let leaves = Leaves::new(&mesh, &boxes);
+        let bytes = size_of_val(leaves.leaves.as_slice()) + leaves.tree.bytes();
+        assert!(bytes <= 64 * mesh.len(), "{} bytes a triangle", bytes as f64 / mesh.len() as f64);
+    }
+}

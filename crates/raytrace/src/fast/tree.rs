@@ -103,6 +103,12 @@ fn along<S: Simd>(simd: S, sides: &[[f32; WIDTH]; 2], slab: &Slab) -> (f32x8<S>,
 }
 
 impl Tree {
+    /// How much memory it takes.
+    #[cfg(test)]
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(self.nodes.as_slice()) + size_of_val(self.leaves.as_slice())
+    }
+
     /// Takes the leaves out, for somebody who keeps more of each thing than its number.
     pub(super) fn take_leaves(&mut self) -> Vec<[u32; LEAF]> {
         std::mem::take(&mut self.leaves)
