@@ -4,7 +4,7 @@ use geometry::Ray;
 use glam::{DAffine3, DVec3};
 
 /// A ray in f64: carrying it into an object's space costs next to no accuracy.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct SpaceRay {
     pub(crate) origin: DVec3,
     pub(crate) direction: DVec3,

@@ -26,7 +26,7 @@ pub(crate) struct Slab {
 }
 
 /// Rays that run much the same way.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Bundle {
     pub(crate) slabs: [Slab; 3],
     /// No hit before this counts.

@@ -26,7 +26,7 @@ use fearless_simd::prelude::*;
 use crate::space::SpaceRay;
 
 /// What the tests of one ray on one mesh have in common.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Probe {
     pub(crate) origin: [f32; 3],
     pub(crate) direction: [f32; 3],

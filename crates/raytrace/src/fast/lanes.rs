@@ -106,7 +106,7 @@ impl Leaves {
             &bundle,
             t1.reduce_max(),
             #[inline(always)]
-            |_, leaf| {
+            |leaf| {
                 let triangles = &self.leaves[leaf];
                 let size = triangles.size();
                 let (margin, error) = (lanes.margin * size, lanes.error * (size * size));
@@ -186,7 +186,7 @@ impl Leaves {
             &bundle,
             farthest,
             #[inline(always)]
-            |_, leaf| {
+            |leaf| {
                 let triangles = &self.leaves[leaf];
                 let size = triangles.size();
                 let (margin, error) = (lanes.margin * size, lanes.error * (size * size));

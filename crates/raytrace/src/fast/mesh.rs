@@ -7,7 +7,6 @@ use rayon::prelude::*;
 use super::bundle::Bundle;
 use super::crossing::Probe;
 use super::leaf::{Candidates, Leaf};
-use super::packet::LANES;
 use super::tree::Tree;
 use crate::query::Nearest;
 use crate::space::SpaceRay;
@@ -54,49 +53,12 @@ impl Leaves {
             &bundle,
             t1,
             #[inline(always)]
-            |_, leaf| {
+            |leaf| {
                 self.take(ray, leaf, &self.leaves[leaf].candidates(simd, &probe), &mut best, nearest);
                 best.at_most
             },
         );
         self.offer_exact(ray, best.place, nearest);
-        true
-    }
-
-    /// [`Leaves::nearest`] for each of eight rays that have nothing to do with each other. `false` if the numbers of one are
-    /// beyond the range of f32: then nothing was searched.
-    #[inline(always)]
-    pub(super) fn nearest_of_each<S: Simd>(
-        &self,
-        simd: S,
-        rays: &[SpaceRay; LANES],
-        nearest: &mut [Nearest; LANES],
-    ) -> bool {
-        let t0 = nearest[0].interval().0;
-        let mut bundles = [Bundle::default(); LANES];
-        let mut probes = [Probe::default(); LANES];
-        let mut best = [Best::new(0.0); LANES];
-        for lane in 0..LANES {
-            let (bundle, probe) = (Bundle::of_one(&rays[lane], t0), Probe::new(&rays[lane], self.reach));
-            let (Some(bundle), Some(probe)) = (bundle, probe) else { return false };
-            (bundles[lane], probes[lane]) = (bundle, probe);
-            best[lane] = Best::new(nearest[lane].interval().1);
-        }
-        let t1 = best.map(|best| best.at_most);
-        self.tree.walk_each(
-            simd,
-            &bundles,
-            t1,
-            #[inline(always)]
-            |lane, leaf| {
-                let candidates = self.leaves[leaf].candidates(simd, &probes[lane]);
-                self.take(&rays[lane], leaf, &candidates, &mut best[lane], &mut nearest[lane]);
-                best[lane].at_most
-            },
-        );
-        for lane in 0..LANES {
-            self.offer_exact(&rays[lane], best[lane].place, &mut nearest[lane]);
-        }
         true
     }
 
@@ -110,7 +72,7 @@ impl Leaves {
             &bundle,
             t1,
             #[inline(always)]
-            |_, leaf| {
+            |leaf| {
                 found = self.any_of(ray, leaf, &self.leaves[leaf].candidates(simd, &probe), t0, t1);
                 if found { f32::NEG_INFINITY } else { t1 }
             },
@@ -212,5 +174,21 @@ struct Best {
 impl Best {
     fn new(t1: f32) -> Self {
         Self { at_least: t1, at_most: t1, place: None }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use geometry::shapes;
+
+    use super::*;
+
+    #[test]
+    fn a_triangle_of_a_smooth_mesh_takes_at_most_64_bytes() {
+        let mesh = shapes::icosphere(6).unwrap();
+        let boxes: Vec<Aabb> = (0..mesh.len()).map(|k| mesh.triangle(k).aabb()).collect();
+        let leaves = Leaves::new(&mesh, &boxes);
+        let bytes = size_of_val(leaves.leaves.as_slice()) + leaves.tree.bytes();
+        assert!(bytes <= 64 * mesh.len(), "{} bytes a triangle", bytes as f64 / mesh.len() as f64);
     }
 }

@@ -1,34 +1,32 @@
 //! How near can a ray tracer come to what the machine can do, and still find the very hits of the slide's loop?
 //!
 //! The slide's loop ([`crate::nearest_brute`]) tests every triangle, in f64, exactly. What is here finds the same hit, bit
-//! by bit, and looks at a few boxes and triangles only. Step by step; each gain is that over the step before, measured in
-//! one run on one thread with a bumpy ball of 69,312 triangles (`cargo bench -p raytrace --bench fast`; figures for a
-//! million in brackets). The first step is a hierarchy with two children a node and the exact test for each triangle of an
-//! opened leaf; it is no longer here.
+//! by bit, and looks at a few boxes and triangles only. Step by step; each gain was measured in one run on one thread with a
+//! bumpy ball of 69,312 triangles, and in brackets with one of 1,002,252. What the first step is compared with is a hierarchy
+//! with two children a node and the exact test for each triangle of a leaf; it is no longer here, and `cargo bench -p raytrace
+//! --bench fast` compares with obvhs instead.
 //!
-//! 1. **Eight boxes at once** ([`mod@tree`]). A node has eight children, their boxes stored by coordinate. One subtraction
+//! 1. **Eight boxes at once** (`tree.rs`). A node has eight children, their boxes stored by coordinate. One subtraction
 //!    then serves eight boxes, and the way down is a third as long: a viewing ray opens 6 nodes (8) and 1.4 leaves.
-//! 2. **Four triangles at once, without doubt** ([`mod@leaf`], [`mod@crossing`]). A quick test in f32 knows how wrong it may
+//! 2. **Four triangles at once, without doubt** (`leaf.rs`, `crossing.rs`). A quick test in f32 knows how wrong it may
 //!    be. It tells sure hits from sure misses, and bounds t; the exact test is left with the winner and with the few cases
 //!    that rounding decides. So nothing is lost, ties are decided as ever, and no ray slips between two triangles.
-//!    Both steps together: viewing rays 2.8 times as fast (2.9), shadow rays 3.3 times (4.1).
-//! 3. **Eight rays as one** ([`mod@bundle`], [`mod@packet`], [`mod@lanes`]). Rays of neighbouring pixels meet the same boxes. An
+//!    Both steps together: viewing rays 2.5 times as fast (2.5), random rays 2.9 times (2.9), shadow rays 2.6 times
+//!    (2.7). Random rays open 32 nodes (40) and 7.6 leaves each, and spend most of their time waiting for memory.
+//! 3. **Eight rays as one** (`bundle.rs`, `packet.rs`, `lanes.rs`). Rays of neighbouring pixels meet the same boxes. An
 //!    interval around eight rays is tested like one ray, with one number for entering and one for leaving; in a leaf, each
-//!    triangle is tested against all eight. Viewing rays 2.3 times as fast (2.4), shadow rays 3 times (1.4: most
-//!    triangles are smaller than a pixel there, so that neighbours meet different ones).
-//! 4. **Turn by turn** ([`mod@walk`]). Eight rays that share nothing take a step each in turn: while one waits for its
-//!    boxes to arrive from memory, the others go on. Random rays gain a quarter (a third); they open 32 nodes (40) and 7.6 leaves
-//!    each, and most of their time is spent waiting for these. All steps together: 2.8 times as fast (2.7).
-//! 5. **Tiles** ([`mod@tiles`]). A picture is drawn eight by eight pixels at a time, so that viewing rays and shadow rays
+//!    triangle is tested against all eight. Viewing rays 2.1 times as fast (1.7), shadow rays 2.2 times (0.7 with 512 × 512
+//!    pixels, 1.4 with 1024 × 1024: where triangles are smaller than pixels, neighbouring shadow rays leave from different ones).
+//! 4. **Tiles** (`tiles.rs`). A picture is drawn eight by eight pixels at a time, so that viewing rays and shadow rays
 //!    come in such groups of eight. A picture with shadows: 4.3 times as fast as with the first step.
 //!
-//! Building ([`mod@build`]) tries sixteen places a axis at each split and shares the parts among threads, with the same
+//! Building (`build.rs`) tries up to fifteen places along each axis at each split and shares the parts among threads, with the same
 //! tree for any number of them.
 //!
 //! The instructions are chosen when the program runs, by what the processor has ([`fearless_simd`]); none of them rounds
 //! otherwise than its scalar twin, so that every machine finds the same.
 //!
-//! Read [`mod@tree`] first, then [`mod@crossing`].
+//! Read `tree.rs` first, then `crossing.rs`.
 
 mod build;
 mod bundle;
@@ -132,7 +130,7 @@ fn nearest_of_one<S: Simd>(simd: S, world: &World, ray: &SpaceRay, t0: f32, t1: 
         &bundle,
         nearest.interval().1,
         #[inline(always)]
-        |_, leaf| {
+        |leaf| {
             for &k in world.tree().leaves()[leaf].iter().filter(|k| **k != u32::MAX) {
                 nearest_in_object(simd, world, k, ray, &mut nearest);
             }
@@ -179,7 +177,7 @@ fn any_of_one<S: Simd>(simd: S, world: &World, ray: &SpaceRay, t0: f32, t1: f32)
             &bundle,
             t1,
             #[inline(always)]
-            |_, leaf| {
+            |leaf| {
                 found = any_of_objects(simd, world, &world.tree().leaves()[leaf], ray, (t0, t1));
                 if found { f32::NEG_INFINITY } else { t1 }
             },

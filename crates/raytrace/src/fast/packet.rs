@@ -46,16 +46,16 @@ fn nearest_of_eight<S: Simd>(
     (t0, t1): (f32, f32),
 ) -> Option<[Nearest; LANES]> {
     let mut nearest: [Nearest; LANES] = std::array::from_fn(|_| Nearest::new(t0, t1));
-    let coherent = is_coherent(rays);
+    if !is_coherent(rays) {
+        return None;
+    }
     if world.tree().is_one_leaf() {
         for k in 0..world.objects().len() {
-            nearest_in_object(simd, world, k, (rays, coherent), &mut nearest);
+            nearest_in_object(simd, world, k, rays, &mut nearest);
         }
-    } else if coherent {
+    } else {
         let bundle = Bundle::of_eight(simd, &Lanes::new(simd, rays)?, t0)?;
         nearest_in_boxes(simd, world, &bundle, rays, &mut nearest);
-    } else {
-        return None;
     }
     Some(nearest)
 }
@@ -69,7 +69,7 @@ fn nearest_in_boxes<S: Simd>(
     nearest: &mut [Nearest; LANES],
 ) {
     for k in world.unbounded() {
-        nearest_in_object(simd, world, *k as usize, (rays, true), nearest);
+        nearest_in_object(simd, world, *k as usize, rays, nearest);
     }
     let t1 = farthest(nearest);
     world.tree().walk(
@@ -77,9 +77,9 @@ fn nearest_in_boxes<S: Simd>(
         bundle,
         t1,
         #[inline(always)]
-        |_, leaf| {
+        |leaf| {
             for &k in world.tree().leaves()[leaf].iter().filter(|k| **k != u32::MAX) {
-                nearest_in_object(simd, world, k as usize, (rays, true), nearest);
+                nearest_in_object(simd, world, k as usize, rays, nearest);
             }
             farthest(nearest)
         },
@@ -95,7 +95,7 @@ fn nearest_in_object<S: Simd>(
     simd: S,
     world: &World,
     k: usize,
-    (rays, coherent): (&[Ray; LANES], bool),
+    rays: &[Ray; LANES],
     nearest: &mut [Nearest; LANES],
 ) {
     let object = &world.objects()[k];
@@ -104,14 +104,7 @@ fn nearest_in_object<S: Simd>(
         || {
             if let Shape::Mesh(traced) = object.shape() {
                 nearest.iter_mut().for_each(|nearest| nearest.enter(k));
-                if coherent && traced.leaves().nearest_of_eight(simd, object, rays, nearest) {
-                    return;
-                }
-                let mut in_space = [SpaceRay::default(); LANES];
-                for lane in 0..LANES {
-                    in_space[lane] = object.ray_from_world(&SpaceRay::of(&rays[lane]));
-                }
-                if traced.leaves().nearest_of_each(simd, &in_space, nearest) {
+                if traced.leaves().nearest_of_eight(simd, object, rays, nearest) {
                     return;
                 }
             }
@@ -160,7 +153,7 @@ pub(crate) fn any_hit<S: Simd>(
             &bundle,
             t1,
             #[inline(always)]
-            |_, leaf| {
+            |leaf| {
                 for &k in world.tree().leaves()[leaf].iter().filter(|k| **k != u32::MAX) {
                     any_in_object(simd, &world.objects()[k as usize], eight, (t0, ends), &mut open);
                 }

@@ -3,15 +3,16 @@
 
 use canvas::{Rgb, row_from_j};
 use geometry::Ray;
+use glam::{Vec3, vec2};
 use rayon::prelude::*;
-use transforms::Pipeline;
+use transforms::{Pipeline, viewport};
 
 use super::{any_hit_each, nearest_each};
 use crate::color::{LightingPoints, shows_light, with_optics};
 use crate::picture::{Settings, part};
 use crate::query::Hit;
 use crate::shadow::{light_share, shadow_ray};
-use crate::viewing::{viewing_ray, visible_interval};
+use crate::viewing::visible_interval;
 use crate::world::World;
 
 /// Pixels along each side of a tile.
@@ -57,21 +58,40 @@ fn tile_colors(
     (first_i, first_row): (u32, u32),
 ) -> [Rgb; PIXELS] {
     let interval = visible_interval(&pipeline.volume());
-    let (height, last_row) = (pipeline.height(), pipeline.height() - 1);
     let n = settings.samples;
     let mut sums = [Rgb::ZERO; PIXELS];
     for dj in 0..n {
         for di in 0..n {
-            let ray = |k: usize| {
-                let (i, row) = place(k);
-                let j = row_from_j((first_row + row).min(last_row), height);
-                viewing_ray(pipeline, (first_i + i) as f32 + part(di, n), j as f32 + part(dj, n))
-            };
-            let colors = ray_colors(world, &std::array::from_fn(ray), interval, settings);
+            let rays = viewing_rays(pipeline, (first_i, first_row), (part(di, n), part(dj, n)));
+            let colors = ray_colors(world, &rays, interval, settings);
             sums.iter_mut().zip(colors).for_each(|(sum, color)| *sum += color);
         }
     }
     sums.map(|sum| sum / (n * n) as f32)
+}
+
+/// What [`crate::viewing_ray`] gives for each pixel of a tile, `di` and `dj` beside its centre: the same sum, but what
+/// columns and rows have in common is computed once for each.
+fn viewing_rays(
+    pipeline: &Pipeline,
+    (first_i, first_row): (u32, u32),
+    (di, dj): (f32, f32),
+) -> [Ray; PIXELS] {
+    let (camera, volume) = (pipeline.camera(), pipeline.volume());
+    let (width, height) = (pipeline.width(), pipeline.height());
+    let (eye, basis) = (camera.eye(), camera.basis());
+    let window = |i: f32, j: f32| viewport::window_point(&volume, width, height, vec2(i, j));
+    let along_u: [Vec3; SIDE as usize] =
+        std::array::from_fn(|k| window((first_i + k as u32) as f32 + di, 0.0).x * basis.u);
+    let along_v: [Vec3; SIDE as usize] = std::array::from_fn(|k| {
+        let j = row_from_j((first_row + k as u32).min(height - 1), height);
+        window(0.0, j as f32 + dj).y * basis.v
+    });
+    let along_w = volume.near * basis.w;
+    std::array::from_fn(|k| {
+        let (i, row) = place(k);
+        Ray::new(eye, along_u[i as usize] + along_v[row as usize] + along_w)
+    })
 }
 
 /// What [`crate::ray_color`] gives for each ray.

@@ -103,6 +103,12 @@ fn along<S: Simd>(simd: S, sides: &[[f32; WIDTH]; 2], slab: &Slab) -> (f32x8<S>,
 }
 
 impl Tree {
+    /// How much memory it takes.
+    #[cfg(test)]
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(self.nodes.as_slice()) + size_of_val(self.leaves.as_slice())
+    }
+
     /// Takes the leaves out, for somebody who keeps more of each thing than its number.
     pub(super) fn take_leaves(&mut self) -> Vec<[u32; LEAF]> {
         std::mem::take(&mut self.leaves)
@@ -120,67 +126,21 @@ impl Tree {
 
     /// Opens the leaves that the bundle meets with t up to `t1`, nearer boxes first, roughly.
     ///
-    /// `open` gets 0 (see [`Tree::walk_each`]) and a leaf's number, and returns where the search ends from now on: −∞ ends
-    /// it at once.
+    /// `open` gets a leaf's number and returns where the search ends from now on; −∞ ends it at once.
     #[inline(always)]
     pub(crate) fn walk<S: Simd>(
         &self,
         simd: S,
         bundle: &Bundle,
         t1: f32,
-        mut open: impl FnMut(usize, usize) -> f32,
+        mut open: impl FnMut(usize) -> f32,
     ) {
         let mut t1 = t1;
-        let mut walk = self.start();
-        while let Some(k) = walk.next_node(&mut t1, 0, &mut open) {
+        let mut walk = Walk::from((!self.nodes.is_empty()).then(|| Child::node(0)));
+        while let Some(k) = walk.next_node(&mut t1, &mut open) {
             let node = &self.nodes[k];
             let (enter, met) = node.entries(simd, bundle, t1);
             walk.choose(node, &enter.to_array(), met);
         }
-    }
-
-    /// The way down for each of several bundles that have nothing to do with each other, a step of each in turn: while one
-    /// waits for its node to arrive from memory, the others go on.
-    ///
-    /// `open` gets the bundle's number, too.
-    #[inline(always)]
-    pub(crate) fn walk_each<S: Simd, const N: usize>(
-        &self,
-        simd: S,
-        bundles: &[Bundle; N],
-        t1: [f32; N],
-        mut open: impl FnMut(usize, usize) -> f32,
-    ) {
-        let mut t1 = t1;
-        let mut walks: [Walk; N] = std::array::from_fn(|_| self.start());
-        let mut steps = [(0_u32, [0.0_f32; WIDTH]); N];
-        let mut at = [Some(0_usize); N];
-        let mut walking = 0;
-        for lane in 0..N {
-            at[lane] = walks[lane].next_node(&mut t1[lane], lane, &mut open);
-            walking += usize::from(at[lane].is_some());
-        }
-        while walking > 0 {
-            // First all tests, which wait for memory but for no decision; then all decisions.
-            for lane in 0..N {
-                if let Some(k) = at[lane] {
-                    let (enter, met) = self.nodes[k].entries(simd, &bundles[lane], t1[lane]);
-                    steps[lane] = (met, enter.to_array());
-                }
-            }
-            for lane in 0..N {
-                if let Some(k) = at[lane] {
-                    let (met, enter) = &steps[lane];
-                    walks[lane].choose(&self.nodes[k], enter, *met);
-                    at[lane] = walks[lane].next_node(&mut t1[lane], lane, &mut open);
-                    walking -= usize::from(at[lane].is_none());
-                }
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn start(&self) -> Walk {
-        Walk::from((!self.nodes.is_empty()).then(|| Child::node(0)))
     }
 }

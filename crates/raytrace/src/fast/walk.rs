@@ -19,15 +19,8 @@ impl From<Option<Child>> for Walk {
 
 impl Walk {
     /// Opens leaves until the next one is a node. `None` at the end of the way.
-    ///
-    /// `open` gets `lane`, too.
     #[inline(always)]
-    pub(super) fn next_node(
-        &mut self,
-        t1: &mut f32,
-        lane: usize,
-        open: &mut impl FnMut(usize, usize) -> f32,
-    ) -> Option<usize> {
+    pub(super) fn next_node(&mut self, t1: &mut f32, open: &mut impl FnMut(usize) -> f32) -> Option<usize> {
         loop {
             let child = match self.next.take() {
                 Some(child) => child,
@@ -41,7 +34,7 @@ impl Walk {
                 }
             };
             match child.as_leaf() {
-                Some(leaf) => *t1 = open(lane, leaf),
+                Some(leaf) => *t1 = open(leaf),
                 None => return Some(child.0 as usize),
             }
         }
