@@ -10,7 +10,7 @@ use geometry::shapes::icosphere;
 use glam::{Mat4, Vec3, vec3};
 use lighting::{Highlight, Light, Material};
 use raytrace::{Search, Shape, TracedMesh};
-use shading::{Shading, Visibility};
+use shading::Shading;
 use sheet::Ink;
 use sheet::plot::{Axis, Kind, Plot, Series};
 use transforms::{Camera, Pipeline, ViewVolume};
@@ -102,7 +102,7 @@ fn z_buffer_time(mesh: &Mesh, pipeline: &Pipeline) -> f64 {
         background: Rgb::ZERO,
         highlight: Highlight::default(),
     };
-    milliseconds(|| shading::render(&world, pipeline, Shading::Phong, Visibility::default()).image)
+    milliseconds(|| shading::fast::render(&world, pipeline, Shading::Phong))
 }
 
 fn traced_world(mesh: Mesh) -> Result<raytrace::World, Box<dyn Error + Send + Sync>> {
