@@ -8,24 +8,13 @@
 //! The shape depends on the boxes alone; threads only share the work of building parts that are decided already.
 
 use geometry::Aabb;
-use glam::Vec3A;
 use rayon::prelude::*;
 
+use super::bins::{BINS, Binning, Bounds, Item, joined, partition};
 use super::tree::{Child, LEAF, Node, Tree, WIDTH};
-
-/// A thing by number and its box.
-#[derive(Clone, Copy, Debug)]
-struct Item {
-    min: Vec3A,
-    max: Vec3A,
-    number: u32,
-}
 
 /// Ranges with more things than this are built by tasks of their own.
 const TASK: usize = 8192;
-
-/// Places to split at along each axis, and one more.
-const BINS: usize = 16;
 
 impl Tree {
     /// The tree over `boxes`. Empty boxes are left out: no ray hits what is in them.
@@ -201,84 +190,6 @@ struct Split {
     bin: u32,
     left: Bounds,
     right: Bounds,
-}
-
-impl Item {
-    /// Halved before they are added: the sum may not overflow.
-    #[inline(always)]
-    fn center(&self) -> Vec3A {
-        0.5 * self.min + 0.5 * self.max
-    }
-}
-
-/// Which of equal parts of the centres' box holds a centre, on each axis.
-struct Binning {
-    origin: Vec3A,
-    bins_per_length: Vec3A,
-    /// How many parts: few for few items.
-    count: usize,
-}
-
-impl Binning {
-    fn new(centers: &Bounds, items: usize) -> Self {
-        let count = items.clamp(4, BINS);
-        let size = centers.size();
-        let per_length = Vec3A::select(size.cmpgt(Vec3A::ZERO), (count - 1) as f32 / size, Vec3A::ZERO);
-        Self { origin: centers.min, bins_per_length: per_length.min(Vec3A::splat(f32::MAX)), count }
-    }
-
-    /// The number of the bin along each axis, rounded to the nearest: 2²³ more, a number ends with that of the bin.
-    #[inline(always)]
-    fn bin(&self, item: &Item) -> [u32; 3] {
-        const SHIFT: Vec3A = Vec3A::splat((1_u32 << 23) as f32);
-        let place = (item.center() - self.origin) * self.bins_per_length + SHIFT;
-        [place.x.to_bits() % BINS as u32, place.y.to_bits() % BINS as u32, place.z.to_bits() % BINS as u32]
-    }
-}
-
-#[derive(Clone, Copy)]
-struct Bounds {
-    min: Vec3A,
-    max: Vec3A,
-}
-
-impl Bounds {
-    const EMPTY: Self = Self { min: Vec3A::INFINITY, max: Vec3A::NEG_INFINITY };
-
-    #[inline(always)]
-    fn add(&mut self, min: Vec3A, max: Vec3A) {
-        self.min = self.min.min(min);
-        self.max = self.max.max(max);
-    }
-
-    fn size(&self) -> Vec3A {
-        self.max - self.min
-    }
-}
-
-fn joined(mut a: (Bounds, u32), b: (Bounds, u32)) -> (Bounds, u32) {
-    a.0.add(b.0.min, b.0.max);
-    (a.0, a.1 + b.1)
-}
-
-/// Moves the items that are on the left to the front and counts them; and the boxes around the centres of either side.
-#[inline(always)]
-fn partition(items: &mut [Item], is_left: impl Fn(&Item) -> bool) -> (usize, [Bounds; 2]) {
-    let (mut left, mut right) = (0, items.len());
-    let mut centers = [Bounds::EMPTY; 2];
-    while left < right {
-        let item = &items[left];
-        let center = item.center();
-        if is_left(item) {
-            centers[0].add(center, center);
-            left += 1;
-        } else {
-            centers[1].add(center, center);
-            right -= 1;
-            items.swap(left, right);
-        }
-    }
-    (left, centers)
 }
 
 #[cfg(test)]

@@ -20,7 +20,7 @@
 //! 4. **Tiles** (`tiles.rs`). A picture is drawn eight by eight pixels at a time, so that viewing rays and shadow rays
 //!    come in such groups of eight. A picture with shadows: 4.3 times as fast as with the first step.
 //!
-//! Building (`build.rs`) tries up to fifteen places along each axis at each split and shares the parts among threads, with the same
+//! Building (`build.rs`, `bins.rs`) tries up to fifteen places along each axis at each split and shares the parts among threads, with the same
 //! tree for any number of them.
 //!
 //! The instructions are chosen when the program runs, by what the processor has ([`fearless_simd`]); none of them rounds
@@ -28,6 +28,7 @@
 //!
 //! Read `tree.rs` first, then `crossing.rs`.
 
+mod bins;
 mod build;
 mod bundle;
 mod crossing;
