@@ -134,3 +134,24 @@ fn a_light_that_reaches_some_points_lights_only_those() {
         assert_eq!(color, if k % 2 == 1 { material.diffuse } else { Rgb::ZERO }, "{k}");
     }
 }
+
+#[test]
+fn a_lamp_at_the_point_lights_nothing_and_one_far_away_does() {
+    let material = Material::new(vec3(0.5, 0.25, 0.125), 8.0);
+    let points: [(Vec3, Vec3); 8] = std::array::from_fn(|k| (vec3(k as f32, 2.0, 3.0), Vec3::Z));
+    let eye = vec3(1.0, 2.0, 9.0);
+    for position in
+        [points[3].0, points[0].0, vec3(1e19, 2e19, 3e19), vec3(0.0, -1e30, 2e30), vec3(1e37, 0.0, 1e37)]
+    {
+        let lights =
+            [Light::Ambient { color: vec3(0.1, 0.2, 0.3) }, Light::Point { position, color: Rgb::ONE }];
+        for highlight in [Highlight::Blinn, Highlight::Phong] {
+            let ours = eight(&material, &lights, highlight, eye, &points);
+            for (k, (p_world, n)) in points.into_iter().enumerate() {
+                let at = SurfacePoint { p_world, n, to_eye: (eye - p_world).normalize() };
+                let theirs = lit(&material, &lights, highlight, &at, |_| true);
+                assert!(ours[k].abs_diff_eq(theirs, 1e-5), "{position}, point {k}: {} {theirs}", ours[k]);
+            }
+        }
+    }
+}

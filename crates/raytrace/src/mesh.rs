@@ -14,6 +14,8 @@ use crate::triangle::watertight::ShearedRay;
 #[derive(Clone, Debug)]
 pub struct TracedMesh {
     mesh: Mesh,
+    /// The box around the mesh: asked for whenever an object is made of it.
+    aabb: Aabb,
     leaves: Leaves,
 }
 
@@ -41,7 +43,7 @@ impl TracedMesh {
         };
         let boxes: Vec<Aabb> = (0..mesh.len()).into_par_iter().map(box_of).collect();
         let leaves = Leaves::new(&mesh, &boxes);
-        Self { mesh, leaves }
+        Self { aabb: mesh.aabb(), mesh, leaves }
     }
 
     /// The mesh.
@@ -65,6 +67,10 @@ impl TracedMesh {
         let ray = ShearedRay::new(ray);
         let hits = (0..self.mesh.len()).filter_map(|k| ray.hit(&self.mesh.triangle(k).corners()));
         hits.into_iter().any(|hit| t0 < hit.t && hit.t < t1)
+    }
+
+    pub(crate) fn aabb(&self) -> Aabb {
+        self.aabb
     }
 
     pub(crate) fn leaves(&self) -> &Leaves {

@@ -231,7 +231,7 @@ const BOX_SLACK: f64 = 4.0 * f32::EPSILON as f64;
 /// The box around the shape in the world, and the size of the numbers on the way there.
 fn extent(shape: &Shape, world_from_object: &DAffine3) -> Result<(Option<Aabb>, f64), ObjectError> {
     let object_box = match shape {
-        Shape::Mesh(traced) => traced.mesh().aabb(),
+        Shape::Mesh(traced) => traced.aabb(),
         Shape::Sphere(sphere) if sphere.center.is_finite() && sphere.radius > 0.0 => sphere.aabb(),
         Shape::Plane(plane) if plane.offset.is_finite() && plane.normal.try_normalize().is_some() => {
             return Ok((None, world_from_object.translation.length() + f64::from(plane.offset.abs())));

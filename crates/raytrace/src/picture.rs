@@ -3,10 +3,11 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use canvas::{Image, Rgb, row_from_j};
+use geometry::Ray;
 use rayon::prelude::*;
 use transforms::Pipeline;
 
-use crate::query::{Hit, Search, nearest};
+use crate::query::{Hit, Search, nearest, nearest_brute};
 use crate::viewing::{viewing_ray, visible_interval};
 use crate::{World, fast, ray_color};
 
@@ -102,12 +103,26 @@ fn pixel_color(world: &World, pipeline: &Pipeline, settings: &Settings, i: u32, 
 /// What each pixel's centre shows, rows from the top down as in an image; `None` where it shows the background.
 #[must_use]
 pub fn visible(world: &World, pipeline: &Pipeline) -> Vec<Option<Hit>> {
+    visible_by(world, pipeline, nearest)
+}
+
+/// The same by the slide's loop over everything (L43).
+#[must_use]
+pub fn visible_brute(world: &World, pipeline: &Pipeline) -> Vec<Option<Hit>> {
+    visible_by(world, pipeline, nearest_brute)
+}
+
+/// How the nearest hit of a ray is found between t0 and t1.
+type Find = fn(&World, &Ray, f32, f32) -> Option<Hit>;
+
+fn visible_by(world: &World, pipeline: &Pipeline, find: Find) -> Vec<Option<Hit>> {
+    let (t0, t1) = visible_interval(&pipeline.volume());
     let (width, height) = (pipeline.width(), pipeline.height());
     let mut hits = vec![None; width as usize * height as usize];
     hits.par_chunks_mut(width as usize).enumerate().for_each(|(row, hits)| {
         let j = row_from_j(row as u32, height);
         for (i, hit) in hits.iter_mut().enumerate() {
-            *hit = pick(world, pipeline, i as f32, j as f32);
+            *hit = find(world, &viewing_ray(pipeline, i as f32, j as f32), t0, t1);
         }
     });
     hits

@@ -39,6 +39,8 @@ pub struct World {
     /// The planes, which fit into no box.
     unbounded: Vec<u32>,
     has_glass: bool,
+    /// The longest side of the box around all that fits into one.
+    size: f32,
     /// Any number of lights; their light adds up (L24).
     pub lights: Vec<Light>,
     /// What a ray sees that hits nothing (L55).
@@ -70,6 +72,7 @@ impl World {
         let boxes: Vec<Aabb> = objects.iter().map(|object| object.bounds().unwrap_or(Aabb::EMPTY)).collect();
         let unbounded =
             (0..objects.len()).filter(|k| objects[*k].bounds().is_none()).map(|k| k as u32).collect();
+        let whole = boxes.iter().fold(Aabb::EMPTY, |whole, own| whole.union(*own));
         let is_glass = |surface: &Surface| matches!(surface.optics, Optics::Glass { .. });
         let has_glass = objects.iter().flat_map(Object::surfaces).any(is_glass);
         Self {
@@ -78,11 +81,17 @@ impl World {
             objects,
             unbounded,
             has_glass,
+            size: if whole.is_empty() { 0.0 } else { whole.size().max_element() },
             lights,
             background: Rgb::ZERO,
             highlight: Highlight::default(),
             interpolation: Interpolation::default(),
         }
+    }
+
+    /// The longest side of the box around all objects but planes.
+    pub(crate) fn size(&self) -> f32 {
+        self.size
     }
 
     /// The objects; a [`Hit`] names one by its place in this list.

@@ -90,7 +90,8 @@ fn render_by(
         (Renderer::Raytrace, _) => {
             let pipeline = prepared.pipeline(width, height)?;
             let world = traced_world(prepared, settings)?;
-            let hits = raytrace::visible(&world, &pipeline);
+            let visible = if version == Version::Slide { raytrace::visible_brute } else { raytrace::visible };
+            let hits = visible(&world, &pipeline);
             let seen =
                 |hit: &Option<raytrace::Hit>| hit.as_ref().map(|hit| Seen::hit(&world, &pipeline, hit));
             let seen: Vec<Option<Seen>> = hits.iter().map(seen).collect();

@@ -59,8 +59,10 @@ pub fn lit<S: Simd>(
     let mut sum = Vectors::splat(simd, material.diffuse * light::ambient(lights));
     for (k, light) in lights.iter().enumerate() {
         let Some((to_light, distance, color)) = illumination(simd, light, at.p_world) else { continue };
-        let cosine = at.n.dot(to_light).min(one);
+        let cosine = at.n.dot(to_light);
+        // A NaN is not before anything: asked before `min`, which may answer with either number.
         let is_before = cosine.simd_gt(zero);
+        let cosine = is_before.select(cosine, zero).min(one);
         if is_before.all_false() {
             continue;
         }
@@ -80,6 +82,9 @@ pub fn lit<S: Simd>(
     sum
 }
 
+/// 2⁶², beyond which a light is far.
+const FAR: f32 = (1_u64 << 62) as f32;
+
 /// l and the distance to the light for eight points; `None` for ambient light. At the light itself l is NaN, which lights nothing.
 #[inline(always)]
 fn illumination<S: Simd>(
@@ -93,9 +98,12 @@ fn illumination<S: Simd>(
             Some((Vectors::splat(simd, to_light), f32x8::splat(simd, f32::INFINITY), color))
         }
         Light::Point { position, color } => {
-            let way = Vectors::splat(simd, position).minus(p_world);
-            let distance = way.dot(way).sqrt();
-            Some((way.scaled(f32x8::splat(simd, 1.0) / distance), distance, color))
+            // Squares of lengths above 2⁶⁴ would leave the range of f32. A power of two changes no digit.
+            let scale = if position.abs().max_element() > FAR { 1.0 / FAR } else { 1.0 };
+            let way = Vectors::splat(simd, position).minus(p_world).scaled(f32x8::splat(simd, scale));
+            let length = way.dot(way).sqrt();
+            let to_light = way.scaled(f32x8::splat(simd, 1.0) / length);
+            Some((to_light, length * f32x8::splat(simd, 1.0 / scale), color))
         }
     }
 }

@@ -6,6 +6,7 @@
 
 use fearless_simd::Simd;
 use geometry::Ray;
+use glam::Vec3;
 
 use super::bundle::Bundle;
 use super::lanes::Lanes;
@@ -46,7 +47,7 @@ fn nearest_of_eight<S: Simd>(
     (t0, t1): (f32, f32),
 ) -> Option<[Nearest; LANES]> {
     let mut nearest: [Nearest; LANES] = std::array::from_fn(|_| Nearest::new(t0, t1));
-    if !is_coherent(rays) {
+    if !is_coherent(world, rays) {
         return None;
     }
     if world.tree().is_one_leaf() {
@@ -127,7 +128,7 @@ pub(crate) fn any_hit<S: Simd>(
     met: &mut [bool],
 ) {
     let all = <&[Ray; LANES]>::try_from(rays).ok().zip(<&[f32; LANES]>::try_from(t1).ok());
-    let Some((eight, ends)) = all.filter(|(rays, _)| is_coherent(rays)) else {
+    let Some((eight, ends)) = all.filter(|(rays, _)| is_coherent(world, rays)) else {
         return any_hit_one_by_one(simd, world, rays, (t0, t1), met);
     };
     // One bit for each ray that has met nothing yet.
@@ -205,13 +206,21 @@ fn any_in_object<S: Simd>(
     );
 }
 
-/// Whether the rays run so much the same way that they meet the same boxes: a guess from the first, a middle and the last
-/// one. A wrong guess costs time only.
-fn is_coherent(rays: &[Ray; LANES]) -> bool {
-    let [first, middle, last] = [0, 4, 7].map(|k| rays[k].direction);
-    let spread = (last - first).abs().max((middle - first).abs()).element_sum();
-    spread <= MOST_SPREAD * first.abs().element_sum()
+/// Whether the rays run so much the same way, and from so much the same place, that they meet the same boxes: a guess from the first, a
+/// middle and the last one. A wrong guess costs time only.
+fn is_coherent(world: &World, rays: &[Ray; LANES]) -> bool {
+    let [first, middle, last] = [&rays[0], &rays[4], &rays[7]];
+    let spread = |of: fn(&Ray) -> Vec3| {
+        let (first, middle, last) = (of(first), of(middle), of(last));
+        (last - first).abs().max((middle - first).abs()).element_sum()
+    };
+    spread(|ray| ray.direction) <= MOST_SPREAD * first.direction.abs().element_sum()
+        && spread(|ray| ray.origin) <= MOST_APART * world.size()
 }
 
 /// Directions in a packet differ by no more than this share of their length.
 const MOST_SPREAD: f32 = 0.125;
+
+/// Origins in a packet lie no farther apart than this share of the world's size: shadow rays from pixels beside each other may leave from
+/// different objects, far from each other, and a bundle around both would meet all that lies between.
+const MOST_APART: f32 = 1.0 / 64.0;

@@ -192,7 +192,10 @@ fn light_all<S: Simd>(
         let (p, n) = (columns(simd, positions), columns(simd, normals));
         let at = Points::seen_from(simd, lighting.eye, p, n);
         let color = lit(simd, material, lighting.lights, lighting.highlight, &at, |_, _, _, before| before);
-        put(simd, color, colors);
+        // A vertex without a normal has no colour, which the pixels that ask for it notice.
+        let has_normal = n.x.simd_eq(n.x);
+        let missing = f32x8::splat(simd, f32::NAN);
+        put(simd, Vectors { x: has_normal.select(color.x, missing), ..color }, colors);
     }
 }
 

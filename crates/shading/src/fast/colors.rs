@@ -3,6 +3,7 @@
 use canvas::Rgb;
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x8, mask32x8};
+use glam::DVec3;
 use lighting::Material;
 use lighting::fast::{Points, Vectors, lit};
 use zbuffer::fast::{Corners, gather_columns};
@@ -147,7 +148,39 @@ impl Coloring<'_> {
         let is_behind = volume.simd_lt(zero);
         // A map that mirrors turns the corners round the other way.
         let is_turned = if self.attributes.is_mirrored[at.index] { !is_behind } else { is_behind };
-        (is_turned, !is_certain)
+        if is_certain.all_true() {
+            return (is_turned, !is_certain);
+        }
+        let mut turned = is_turned.to_bitmask() as u8;
+        let uncertain = self.decide(at, !is_certain.to_bitmask() as u8, &mut turned);
+        (mask32x8::from_bitmask(simd, turned.into()), mask32x8::from_bitmask(simd, uncertain.into()))
+    }
+
+    /// The same in f64 for the triangles whose bits are set in `uncertain`, of floors that reach far beyond the eye, say; returns those
+    /// of which even that is not certain.
+    #[inline(never)]
+    fn decide(&self, at: &Eight, uncertain: u8, turned: &mut u8) -> u8 {
+        /// The slide's rule takes a cosine of two vectors in f32: above this its sign is right.
+        const LEAST_COSINE: f64 = 2e-6;
+        let mirror = if self.attributes.is_mirrored[at.index] { -1.0 } else { 1.0 };
+        let mut left = 0;
+        let mut cosine = 0.0;
+        for k in 0..8 {
+            if k == 0 || !at.corners.are_same {
+                let corner = |c: usize| {
+                    let [x, y, z, _] = self.attributes.positions[at.corners.each[k][c] as usize];
+                    DVec3::new(x.into(), y.into(), z.into())
+                };
+                let (a, b, c) = (corner(0), corner(1), corner(2));
+                let normal = (b - a).cross(c - a).normalize_or_zero();
+                cosine = mirror * normal.dot((self.lighting.eye.as_dvec3() - a).normalize_or_zero());
+            }
+            if uncertain >> k & 1 == 1 {
+                *turned = *turned & !(1 << k) | u8::from(cosine < 0.0) << k;
+                left |= u8::from(cosine.abs() <= LEAST_COSINE) << k;
+            }
+        }
+        left
     }
 }
 

@@ -2,25 +2,34 @@
 //! for a while.
 
 use canvas::Rgb;
+use geometry::Barycentric;
 use zbuffer::fast::{NONE, Number, Singly};
 
 use crate::fast::rows::Coloring;
-use crate::mode::{flat_color, gouraud_colors};
-use crate::{Facet, Object, Shading, Surface};
+use crate::mode::{flat_color, gouraud_colors, phong_color};
+use crate::{Facet, Object, Shading};
 
 /// The corners' colours of some triangles, each at a place that follows from its number: a newer one takes the place.
 #[derive(Debug)]
 pub(crate) struct Known {
     colors: Vec<(Number, [Rgb; 3])>,
+    facets: Vec<Option<(Number, Facet)>>,
     pub(crate) singly: Singly,
 }
 
 /// How many are kept: as many as a band of rows shows of most meshes.
 const PLACES: usize = 1 << 10;
 
+/// How many facets are kept: of the few triangles that go the slide's way.
+const FACETS: usize = 1 << 6;
+
 impl Default for Known {
     fn default() -> Self {
-        Self { colors: vec![(NONE, [Rgb::ZERO; 3]); PLACES], singly: Singly::default() }
+        Self {
+            colors: vec![(NONE, [Rgb::ZERO; 3]); PLACES],
+            facets: vec![None; FACETS],
+            singly: Singly::default(),
+        }
     }
 }
 
@@ -45,14 +54,24 @@ impl Known {
         place.1
     }
 
-    /// The triangle made ready as the slide's loop does.
-    pub(crate) fn surface<'a>(
-        &self,
+    /// The slide's colour where the triangle's barycentric coordinates are `weights`.
+    pub(crate) fn color(
+        &mut self,
+        number: Number,
         object: &Object,
         triangle: usize,
-        coloring: &'a Coloring,
-    ) -> Surface<'a> {
-        let facet = Facet::new(object, triangle, coloring.lighting.eye);
-        Surface::new(coloring.shading, facet, coloring.lighting)
+        weights: Barycentric,
+        coloring: &Coloring,
+    ) -> Rgb {
+        if coloring.shading != Shading::Phong {
+            let [c0, c1, c2] = self.corner_colors(number, object, triangle, coloring);
+            let is_flat = coloring.shading == Shading::Flat;
+            return if is_flat { c0 } else { weights.interpolate(c0, c1, c2) };
+        }
+        let place = &mut self.facets[number as usize % FACETS];
+        place.take_if(|(known, _)| *known != number);
+        let new = || (number, Facet::new(object, triangle, coloring.lighting.eye));
+        let (_, facet) = place.get_or_insert_with(new);
+        phong_color(facet, &coloring.lighting, weights)
     }
 }

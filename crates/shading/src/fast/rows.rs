@@ -197,7 +197,7 @@ impl Coloring<'_> {
         let object = &self.world.objects[index];
         let triangle = (number - self.projected.first_number(index)) as usize;
         let weights = known.singly.weights(self.projected, object.mesh, number, (i, j));
-        known.surface(object, triangle, self).color(weights)
+        known.color(number, object, triangle, weights, self)
     }
 }
 

@@ -38,7 +38,7 @@ pub(crate) fn model() -> impl Strategy<Value = Model> {
         .prop_map(|(objects, materials, lights, pipeline)| Model { objects, materials, lights, pipeline })
 }
 
-/// A ball, a box, a ring or loose triangles; every second one without normals.
+/// A ball, a box, a ring or loose triangles; every second one without normals, every second one with a material for each triangle.
 pub(crate) fn mesh() -> impl Strategy<Value = Mesh> {
     let loose = prop::collection::vec(strategy::triangle(2.0), 1..8).prop_map(|triangles| {
         let positions = triangles.iter().flat_map(geometry::Triangle::corners).collect();
@@ -47,8 +47,20 @@ pub(crate) fn mesh() -> impl Strategy<Value = Mesh> {
     });
     let shapes = [icosphere(0), icosphere(1), cuboid(vec3(1.0, 2.0, 3.0), 0), torus(1.5, 0.5, 0)];
     let shape = prop::sample::select(shapes.map(Result::unwrap).to_vec());
-    (prop_oneof![loose, shape], any::<bool>())
-        .prop_map(|(mesh, without_normals)| if without_normals { mesh.without_normals() } else { mesh })
+    (prop_oneof![loose, shape], any::<bool>(), any::<bool>(), 0_usize..4).prop_map(
+        |(mesh, without_normals, with_materials, zeros)| {
+            let mesh = if without_normals { mesh.without_normals() } else { with_zeros(mesh, zeros) };
+            let materials = (0..mesh.len() as u32).map(|k| k * k % 5).collect();
+            if with_materials { mesh.with_materials(materials).unwrap() } else { mesh }
+        },
+    )
+}
+
+/// The mesh with the first few of its normals taken away: zero means none given.
+fn with_zeros(mesh: Mesh, count: usize) -> Mesh {
+    let Some(mut normals) = mesh.normals().cloned() else { return mesh };
+    normals.values.iter_mut().take(count).for_each(|n| *n = glam::Vec3::ZERO);
+    mesh.with_normals(normals).unwrap()
 }
 
 pub(crate) fn color() -> impl Strategy<Value = Rgb> + Clone {

@@ -62,7 +62,7 @@ impl Band {
         self.clear(b, projected.size);
         dispatch!(Level::new(), simd => self.draw_large(simd, b, projected, parts));
         dispatch!(Level::new(), simd => self.draw_small(simd, b, projected, parts));
-        for chunk in projected.chunks() {
+        for chunk in projected.chunks_in(b) {
             chunk.pieces.iter().for_each(|piece| self.draw_piece(piece));
         }
     }
@@ -145,7 +145,7 @@ impl Band {
     fn draw_large<S: Simd>(&mut self, simd: S, b: u32, projected: &Projected, parts: &[Part]) {
         let mut large = std::mem::take(&mut self.large);
         large.clear();
-        for chunk in projected.chunks() {
+        for chunk in projected.chunks_in(b) {
             let first = projected.first_number(chunk.part);
             for &number in chunk.large(b) {
                 let corners =
@@ -169,7 +169,7 @@ impl Band {
 
     #[inline(always)]
     fn draw_small<S: Simd>(&mut self, simd: S, b: u32, projected: &Projected, parts: &[Part]) {
-        for chunk in projected.chunks() {
+        for chunk in projected.chunks_in(b) {
             let first = projected.first_number(chunk.part);
             let triangles = parts[chunk.part].mesh.triangles();
             let vertices = projected.vertices_of(chunk.part);

@@ -19,8 +19,11 @@ pub const BAND_ROWS: u32 = 16;
 pub(crate) struct Chunk {
     /// Which part they belong to.
     pub(crate) part: usize,
+    /// The first band that any of them reaches, and how many from there on; a picture of many small objects has many chunks, each in few.
+    first_band: u32,
+    band_count: u32,
     kept: Vec<Kept>,
-    /// `numbers[starts[k]..starts[k + 1]]` are the triangles in bin k: 2b for the small ones of band b, 2b + 1 for the others.
+    /// `numbers[starts[k]..starts[k + 1]]` are the triangles in bin k: 2b for the small ones of band first_band + b, 2b + 1 for the others.
     starts: Vec<u32>,
     numbers: Vec<Number>,
     /// What clipping left of those that had to be clipped.
@@ -60,6 +63,11 @@ pub(crate) struct Sorting<'a> {
 }
 
 impl Chunk {
+    /// The bands that any triangle of the chunk reaches.
+    pub(crate) fn bands(&self) -> Range<u32> {
+        self.first_band..self.first_band + self.band_count
+    }
+
     /// The small triangles in band `b`.
     pub(crate) fn small(&self, b: u32) -> &[Number] {
         self.bin(2 * b as usize)
@@ -71,6 +79,7 @@ impl Chunk {
     }
 
     fn bin(&self, k: usize) -> &[Number] {
+        let k = k - 2 * self.first_band as usize;
         &self.numbers[self.starts[k] as usize..self.starts[k + 1] as usize]
     }
 
@@ -80,7 +89,8 @@ impl Chunk {
         self.kept.clear();
         self.pieces.clear();
         dispatch!(Level::new(), simd => self.sort_out(simd, sorting, triangles));
-        self.fill_bins(2 * sorting.size.1.div_ceil(BAND_ROWS) as usize);
+        self.find_bands(sorting.size.1);
+        self.fill_bins();
     }
 
     #[inline(always)]
@@ -161,11 +171,21 @@ impl Chunk {
         self.pieces.extend(pieces.map(|on_screen| Piece { number, on_screen }));
     }
 
+    /// Finds the bands that any triangle reaches.
+    fn find_bands(&mut self, height: u32) {
+        let kept = self.kept.iter().map(|kept| (u32::from(kept.first_band), u32::from(kept.last_band)));
+        let pieces = self.pieces.iter().filter_map(|piece| piece.bands(height));
+        let whole = kept.chain(pieces).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
+        let (first, count) = whole.map_or((0, 0), |(first, last)| (first, last + 1 - first));
+        (self.first_band, self.band_count) = (first, count);
+    }
+
     /// Counts the triangles of each bin, then puts each into its place: twice over the list, without a list a bin.
-    fn fill_bins(&mut self, bins: usize) {
+    fn fill_bins(&mut self) {
+        let bins = 2 * self.band_count as usize;
         self.starts.clear();
         self.starts.resize(bins + 1, 0);
-        for bin in self.kept.iter().flat_map(Kept::bins) {
+        for bin in self.kept.iter().flat_map(|kept| kept.bins(self.first_band)) {
             self.starts[bin + 1] += 1;
         }
         for bin in 0..bins {
@@ -174,7 +194,7 @@ impl Chunk {
         self.numbers.clear();
         self.numbers.resize(self.starts[bins] as usize, 0);
         for kept in &self.kept {
-            for bin in kept.bins() {
+            for bin in kept.bins(self.first_band) {
                 self.numbers[self.starts[bin] as usize] = kept.number;
                 self.starts[bin] += 1;
             }
@@ -185,10 +205,23 @@ impl Chunk {
     }
 }
 
+impl Piece {
+    /// The first and the last band that it may reach, from the top; `None` if it lies above or below the screen.
+    fn bands(&self, height: u32) -> Option<(u32, u32)> {
+        let [a, b, c] = self.on_screen.vertices.map(|vertex| vertex.position.y);
+        // Snapping moves a vertex by less than a pixel.
+        let (lowest, highest) = (a.min(b).min(c) - 1.0, a.max(b).max(c) + 1.0);
+        let top = height as f32 - 1.0;
+        let band = |j: f32| (top - j.clamp(0.0, top)) as u32 / BAND_ROWS;
+        (lowest <= top && highest >= 0.0).then(|| (band(highest), band(lowest)))
+    }
+}
+
 impl Kept {
-    fn bins(&self) -> impl Iterator<Item = usize> + use<> {
-        let is_large = usize::from(self.is_large);
-        (self.first_band..=self.last_band).map(move |band| 2 * usize::from(band) + is_large)
+    /// Its bins in a chunk that begins with band `first`.
+    fn bins(&self, first: u32) -> impl Iterator<Item = usize> + use<> {
+        let (is_large, first) = (usize::from(self.is_large), first as usize);
+        (self.first_band..=self.last_band).map(move |band| 2 * (usize::from(band) - first) + is_large)
     }
 }
 

@@ -4,7 +4,8 @@
 //! another order and many at once. The answers are the same, bit for bit: each pixel shows the same triangle at the same depth as
 //! by [`crate::rasterize()`] and [`crate::DepthBuffer`]. `tests/laws/fast.rs` holds it to that.
 //!
-//! What is done, and what it gains on one thread at 1920 × 1080 pixels (whole pictures, `cargo bench -p shading -- slide`, or one step left out):
+//! What is done. `cargo bench -p zbuffer -- frame` gives the ratio to the slide's loop; what a single step gains was measured by leaving it out, on
+//! one thread at 1920 × 1080 pixels:
 //!
 //! 1. **Each vertex once**, eight at a time, in the slide's own roundings; of a closed mesh six triangles share each. What has to be
 //!    clipped is marked and goes the slide's way ([`crate::project_clip`]).

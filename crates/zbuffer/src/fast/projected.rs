@@ -47,6 +47,8 @@ pub struct Projected {
     /// Where each part's vertices, triangles and chunks begin.
     firsts: Vec<First>,
     chunks: Vec<Chunk>,
+    /// For each band the chunks that reach it, in drawing order.
+    in_band: Vec<Vec<u32>>,
     pub(crate) size: (u32, u32),
 }
 
@@ -118,6 +120,13 @@ impl Projected {
         self.chunks.resize_with(tasks.len(), Chunk::default);
         let chunks = self.chunks.par_iter_mut().zip(tasks);
         chunks.for_each(|(chunk, (sorting, triangles))| chunk.fill(&sorting, triangles));
+        self.in_band.iter_mut().for_each(Vec::clear);
+        self.in_band.resize_with(self.bands() as usize, Vec::new);
+        for (k, chunk) in self.chunks.iter().enumerate() {
+            for band in chunk.bands() {
+                self.in_band[band as usize].push(k as u32);
+            }
+        }
     }
 
     /// How many bands of [`BAND_ROWS`] rows the screen has; the last may be cut short.
@@ -126,8 +135,9 @@ impl Projected {
         self.size.1.div_ceil(BAND_ROWS)
     }
 
-    pub(crate) fn chunks(&self) -> &[Chunk] {
-        &self.chunks
+    /// The chunks that reach band `b`, in drawing order.
+    pub(crate) fn chunks_in(&self, b: u32) -> impl Iterator<Item = &Chunk> {
+        self.in_band[b as usize].iter().map(|k| &self.chunks[*k as usize])
     }
 
     /// The vertices of triangle `k` of a part on the screen.

@@ -44,8 +44,9 @@ impl Projected {
 /// The slide's way to the weights of single pixels: the only one where the triangle was clipped.
 #[derive(Debug, Default)]
 pub struct Singly {
-    /// The triangle asked about last, and its parts made ready: neighbours mostly ask about the same.
-    last: Option<(Number, Vec<Setup>)>,
+    /// Some triangles that were asked about, and their parts made ready, each at a place that follows from its number: neighbours
+    /// mostly ask about the same.
+    known: [Option<(Number, Vec<Setup>)>; 8],
 }
 
 impl Singly {
@@ -62,8 +63,9 @@ impl Singly {
         number: Number,
         (i, j): (u32, u32),
     ) -> Barycentric {
-        self.last.take_if(|(known, _)| *known != number);
-        let (_, setups) = self.last.get_or_insert_with(|| (number, ready(projected, mesh, number)));
+        let place = &mut self.known[number as usize % 8];
+        place.take_if(|(known, _)| *known != number);
+        let (_, setups) = place.get_or_insert_with(|| (number, ready(projected, mesh, number)));
         let fragment = setups.iter().find_map(|setup| setup.fragment_at(i, j));
         fragment.map_or(Barycentric::from_beta_gamma(1.0 / 3.0, 1.0 / 3.0), |fragment| fragment.weights)
     }
