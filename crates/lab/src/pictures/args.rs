@@ -18,7 +18,7 @@ Examples:
   What the depth buffer holds:
     cargo lab render two-spheres --renderer zbuffer --show depth
   By the loops of the slides instead of the fast ones; the times say what that costs:
-    cargo lab render --size 160x120 --slide
+    cargo lab render two-spheres --size 320x240 --slide
   A scene of your own:
     cargo lab scenes teapot > mine.toml
     cargo lab render mine.toml";

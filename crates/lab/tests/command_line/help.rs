@@ -46,7 +46,7 @@ fn run_examples(desk: &Desk, text: &str) -> usize {
 #[test]
 fn every_example_of_the_help_text_runs() {
     let desk = desk();
-    for (command, examples) in [("render", 6), ("compare", 3), ("scenes", 3)] {
+    for (command, examples) in [("render", 7), ("compare", 3), ("scenes", 3)] {
         let help = desk.lab(&format!("{command} --help")).done().out;
         assert_eq!(run_examples(&desk, &help), examples, "{help}");
     }
