@@ -102,7 +102,7 @@ fn render_by(
             let n = settings.samples;
             let pipeline = prepared.pipeline(width * n, height * n)?;
             let image = colors(version, prepared, settings, &pipeline, &mut notes)?;
-            image.box_downsampled(n)
+            if n == 1 { image } else { image.box_downsampled(n) }
         }
         (_, _) => {
             let pipeline = prepared.pipeline(width, height)?;
