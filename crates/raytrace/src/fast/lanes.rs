@@ -2,6 +2,7 @@
 
 use fearless_simd::{f32x8, prelude::*, u32x8};
 use geometry::Ray;
+use glam::Vec3;
 
 use super::bundle::Bundle;
 use super::crossing::{LEAST_SIZE, SHARE, TAME};
@@ -25,27 +26,27 @@ impl<S: Simd> Lanes<S> {
     /// The rays as they are. `None` if one is none, or if f32 may overflow.
     #[inline(always)]
     pub(crate) fn new(simd: S, rays: &[Ray; LANES]) -> Option<Self> {
-        let (mut origins, mut directions) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3]);
-        for (lane, ray) in rays.iter().enumerate() {
-            for axis in 0..3 {
-                origins[axis][lane] = ray.origin[axis];
-                directions[axis][lane] = ray.direction[axis];
-            }
-        }
-        Self::tame(simd, &origins, &directions, 0.0)
+        Self::of(simd, rays, 0.0, |ray| (ray.origin, ray.direction))
     }
 
     /// The rays in the space of an object; see [`super::crossing::Probe::new`].
     #[inline(always)]
     pub(crate) fn in_space(simd: S, object: &Object, rays: &[Ray; LANES], reach: f32) -> Option<Self> {
+        if object.is_in_place() {
+            return Self::of(simd, rays, reach, |ray| (ray.origin, ray.direction));
+        }
+        Self::of(simd, rays, reach, |ray| {
+            let ray = object.ray_from_world(&SpaceRay::of(ray));
+            (ray.origin.as_vec3(), ray.direction.as_vec3())
+        })
+    }
+
+    /// The rays, each brought to its place by `moved`.
+    #[inline(always)]
+    fn of(simd: S, rays: &[Ray; LANES], reach: f32, moved: impl Fn(&Ray) -> (Vec3, Vec3)) -> Option<Self> {
         let (mut origins, mut directions) = ([[0.0; LANES]; 3], [[0.0; LANES]; 3]);
         for (lane, ray) in rays.iter().enumerate() {
-            let (origin, direction) = if object.is_in_place() {
-                (ray.origin, ray.direction)
-            } else {
-                let ray = object.ray_from_world(&SpaceRay::of(ray));
-                (ray.origin.as_vec3(), ray.direction.as_vec3())
-            };
+            let (origin, direction) = moved(ray);
             for axis in 0..3 {
                 origins[axis][lane] = origin[axis];
                 directions[axis][lane] = direction[axis];
@@ -86,6 +87,20 @@ struct Best<S: Simd> {
 }
 
 impl Leaves {
+    /// The rays in the mesh's space, and the bundle that boxes see. `None` if they cannot be searched as one.
+    #[inline(always)]
+    fn as_one<S: Simd>(
+        &self,
+        simd: S,
+        object: &Object,
+        rays: &[Ray; LANES],
+        t0: f32,
+    ) -> Option<(Lanes<S>, Bundle)> {
+        let lanes = Lanes::in_space(simd, object, rays, self.reach)?;
+        let bundle = Bundle::of_eight(simd, &lanes, t0)?;
+        Some((lanes, bundle))
+    }
+
     /// Offers the nearest hit of each ray. `false` if these rays cannot be searched as one: then nothing was.
     #[inline(always)]
     pub(super) fn nearest_of_eight<S: Simd>(
@@ -95,9 +110,8 @@ impl Leaves {
         rays: &[Ray; LANES],
         nearest: &mut [Nearest; LANES],
     ) -> bool {
-        let Some(lanes) = Lanes::in_space(simd, object, rays, self.reach) else { return false };
         let (t0, _) = nearest[0].interval();
-        let Some(bundle) = Bundle::of_eight(simd, &lanes, t0) else { return false };
+        let Some((lanes, bundle)) = self.as_one(simd, object, rays, t0) else { return false };
         let t1 = f32x8::load_array(simd, std::array::from_fn(|lane| nearest[lane].interval().1));
         let mut best = Best { at_least: t1, at_most: t1, place: u32x8::splat(simd, NONE) };
         let ray = |lane: usize| object.ray_from_world(&SpaceRay::of(&rays[lane]));
@@ -176,8 +190,7 @@ impl Leaves {
         (t0, ends): (f32, &[f32; LANES]),
         open: &mut u32,
     ) -> bool {
-        let Some(lanes) = Lanes::in_space(simd, object, rays, self.reach) else { return false };
-        let Some(bundle) = Bundle::of_eight(simd, &lanes, t0) else { return false };
+        let Some((lanes, bundle)) = self.as_one(simd, object, rays, t0) else { return false };
         let t1 = f32x8::load_array_ref(simd, ends);
         let farthest = t1.reduce_max();
         let ray = |lane: usize| object.ray_from_world(&SpaceRay::of(&rays[lane]));

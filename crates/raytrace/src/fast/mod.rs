@@ -132,7 +132,7 @@ fn nearest_of_one<S: Simd>(simd: S, world: &World, ray: &SpaceRay, t0: f32, t1: 
         nearest.interval().1,
         #[inline(always)]
         |leaf| {
-            for &k in world.tree().leaves()[leaf].iter().filter(|k| **k != u32::MAX) {
+            for k in world.tree().things(leaf) {
                 nearest_in_object(simd, world, k, ray, &mut nearest);
             }
             nearest.interval().1
@@ -171,7 +171,7 @@ fn any_of_one<S: Simd>(simd: S, world: &World, ray: &SpaceRay, t0: f32, t1: f32)
         nearest.in_all_objects(world, ray);
         return nearest.met().is_some();
     };
-    let mut found = any_of_objects(simd, world, world.unbounded(), ray, (t0, t1));
+    let mut found = any_of_objects(simd, world, world.unbounded().iter().copied(), ray, (t0, t1));
     if !found {
         world.tree().walk(
             simd,
@@ -179,7 +179,7 @@ fn any_of_one<S: Simd>(simd: S, world: &World, ray: &SpaceRay, t0: f32, t1: f32)
             t1,
             #[inline(always)]
             |leaf| {
-                found = any_of_objects(simd, world, &world.tree().leaves()[leaf], ray, (t0, t1));
+                found = any_of_objects(simd, world, world.tree().things(leaf), ray, (t0, t1));
                 if found { f32::NEG_INFINITY } else { t1 }
             },
         );
@@ -191,11 +191,11 @@ fn any_of_one<S: Simd>(simd: S, world: &World, ray: &SpaceRay, t0: f32, t1: f32)
 fn any_of_objects<S: Simd>(
     simd: S,
     world: &World,
-    numbers: &[u32],
+    numbers: impl Iterator<Item = u32>,
     ray: &SpaceRay,
     (t0, t1): (f32, f32),
 ) -> bool {
-    for &k in numbers.iter().filter(|k| **k != u32::MAX) {
+    for k in numbers {
         if any_in_object(simd, &world.objects()[k as usize], ray, t0, t1) {
             return true;
         }

@@ -79,7 +79,7 @@ fn nearest_in_boxes<S: Simd>(
         t1,
         #[inline(always)]
         |leaf| {
-            for &k in world.tree().leaves()[leaf].iter().filter(|k| **k != u32::MAX) {
+            for k in world.tree().things(leaf) {
                 nearest_in_object(simd, world, k as usize, rays, nearest);
             }
             farthest(nearest)
@@ -155,7 +155,7 @@ pub(crate) fn any_hit<S: Simd>(
             t1,
             #[inline(always)]
             |leaf| {
-                for &k in world.tree().leaves()[leaf].iter().filter(|k| **k != u32::MAX) {
+                for k in world.tree().things(leaf) {
                     any_in_object(simd, &world.objects()[k as usize], eight, (t0, ends), &mut open);
                 }
                 if open == 0 { f32::NEG_INFINITY } else { t1 }

@@ -114,9 +114,10 @@ impl Tree {
         std::mem::take(&mut self.leaves)
     }
 
-    /// The things in each leaf; places that are not used hold [`u32::MAX`].
-    pub(crate) fn leaves(&self) -> &[[u32; LEAF]] {
-        &self.leaves
+    /// The things in one leaf.
+    #[inline(always)]
+    pub(crate) fn things(&self, leaf: usize) -> impl Iterator<Item = u32> {
+        self.leaves[leaf].iter().copied().filter(|thing| *thing != u32::MAX)
     }
 
     /// Whether there is so little that no box is worth a test: a leaf, or nothing.
