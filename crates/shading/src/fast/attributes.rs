@@ -7,6 +7,7 @@ use geometry::mesh::normal_matrix;
 use glam::{Mat3, Mat4, Vec3};
 use lighting::fast::{Points, Vectors, lit};
 use rayon::prelude::*;
+use zbuffer::fast::{load_columns, store_columns};
 
 use crate::{Lighting, Object, Shading, World};
 
@@ -45,6 +46,10 @@ pub(crate) enum Lit {
 impl Attributes {
     /// Works out what `shading` needs.
     pub(crate) fn prepare(&mut self, world: &World, shading: Shading, lighting: &Lighting) {
+        if shading == Shading::Flat {
+            // Nothing is interpolated.
+            return;
+        }
         let objects = world.objects;
         self.is_mirrored.clear();
         self.is_mirrored.extend(objects.iter().map(|object| object.world_from_object.determinant() < 0.0));
@@ -155,26 +160,17 @@ fn turn_all<S: Simd>(simd: S, matrix: &Mat3, normals: &[Vec3], own: &mut [Padded
     }
 }
 
-/// Up to eight vectors as columns; what is missing is 0.
+/// Up to eight vectors as columns.
 #[inline(always)]
 fn load<S: Simd>(simd: S, rows: &[Vec3]) -> Vectors<S> {
-    let mut columns = [[0.0; 8]; 3];
-    for (k, v) in rows.iter().enumerate() {
-        (columns[0][k], columns[1][k], columns[2][k]) = (v.x, v.y, v.z);
-    }
-    Vectors::load(simd, [&columns[0], &columns[1], &columns[2]])
+    let [x, y, z] = load_columns(simd, rows);
+    Vectors { x, y, z }
 }
 
 /// Puts up to eight vectors into their places.
 #[inline(always)]
 fn put<S: Simd>(simd: S, vectors: Vectors<S>, own: &mut [Padded]) {
-    if let Ok(eight) = <&mut [Padded; 8]>::try_from(&mut *own) {
-        store(simd, vectors, eight);
-    } else {
-        let mut rows = [[0.0; 4]; 8];
-        store(simd, vectors, &mut rows);
-        own.copy_from_slice(&rows[..own.len()]);
-    }
+    store_columns([vectors.x, vectors.y, vectors.z, f32x8::splat(simd, 0.0)], own);
 }
 
 /// The colours of vertices that show their fronts.
@@ -208,13 +204,4 @@ fn columns<S: Simd>(simd: S, rows: &[Padded]) -> Vectors<S> {
     let low = f32x4::load_four_interleaved(simd, low);
     let high = f32x4::load_four_interleaved(simd, high);
     Vectors { x: low[0].combine(high[0]), y: low[1].combine(high[1]), z: low[2].combine(high[2]) }
-}
-
-#[inline(always)]
-fn store<S: Simd>(simd: S, color: Vectors<S>, rows: &mut [Padded; 8]) {
-    let (r, g, b) = (color.x.split(), color.y.split(), color.z.split());
-    let none = f32x8::splat(simd, 0.0).split();
-    let (low, high) = rows.as_flattened_mut().split_at_mut(16);
-    f32x4::store_four_interleaved([r.0, g.0, b.0, none.0], low);
-    f32x4::store_four_interleaved([r.1, g.1, b.1, none.1], high);
 }

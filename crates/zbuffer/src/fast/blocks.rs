@@ -182,7 +182,8 @@ impl<S: Simd> Block<S> {
         if covered.all_false() {
             return;
         }
-        let z = self.affine_z(&at[0]).narrow(self.affine_z(&at[1]));
+        let left = affine_z(at[0], self.z, self.inv_doubled_area);
+        let z = left.narrow(affine_z(at[1], self.z, self.inv_doubled_area));
         let z = z.max(self.least_z).min(self.greatest_z);
         keep_nearest(simd, covered, z, self.number, depths, numbers);
     }
@@ -193,12 +194,12 @@ impl<S: Simd> Block<S> {
             & at[1].simd_ge(self.thresholds[1])
             & at[2].simd_ge(self.thresholds[2])
     }
+}
 
-    /// z with the slide's roundings: interpolated in f64 (E9).
-    #[inline(always)]
-    fn affine_z(&self, at: &[f64x4<S>; 3]) -> f64x4<S> {
-        (at[0] * self.z[0] + at[1] * self.z[1] + at[2] * self.z[2]) * self.inv_doubled_area
-    }
+/// z in four pixels with the slide's roundings: interpolated in f64 from the edge functions there (E9).
+#[inline(always)]
+pub(crate) fn affine_z<S: Simd>(at: [f64x4<S>; 3], z: [f64x4<S>; 3], inv_doubled_area: f64x4<S>) -> f64x4<S> {
+    (at[0] * z[0] + at[1] * z[1] + at[2] * z[2]) * inv_doubled_area
 }
 
 /// The depth test for a block: of equals the lower number stays, in whatever order they come.

@@ -3,6 +3,8 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x4, f32x8, mask32x8};
 
+use glam::Vec3;
+
 use crate::fast::vertices::Vertex;
 use crate::screen::SUBPIXELS;
 
@@ -92,6 +94,42 @@ pub fn gather_columns<S: Simd>(
     let low = turned(vertex(0), vertex(1), vertex(2), vertex(3));
     let high = turned(vertex(4), vertex(5), vertex(6), vertex(7));
     [low[0].combine(high[0]), low[1].combine(high[1]), low[2].combine(high[2]), low[3].combine(high[3])]
+}
+
+/// Up to eight vectors as columns of x, y and z; what is missing is 0.
+///
+/// # Panics
+/// If there are more than eight.
+#[inline(always)]
+pub fn load_columns<S: Simd>(simd: S, rows: &[Vec3]) -> [f32x8<S>; 3] {
+    let mut columns = [[0.0; 8]; 3];
+    for (k, v) in rows.iter().enumerate() {
+        (columns[0][k], columns[1][k], columns[2][k]) = (v.x, v.y, v.z);
+    }
+    three!(k => f32x8::load_array_ref(simd, &columns[k]))
+}
+
+/// Puts four columns into up to eight rows of four numbers: what [`gather_columns`] reads.
+///
+/// # Panics
+/// If there are more than eight rows.
+#[inline(always)]
+pub fn store_columns<S: Simd>(columns: [f32x8<S>; 4], rows: &mut [[f32; 4]]) {
+    if let Ok(eight) = <&mut [[f32; 4]; 8]>::try_from(&mut *rows) {
+        store_eight(columns, eight);
+    } else {
+        let mut eight = [[0.0; 4]; 8];
+        store_eight(columns, &mut eight);
+        rows.copy_from_slice(&eight[..rows.len()]);
+    }
+}
+
+#[inline(always)]
+fn store_eight<S: Simd>([x, y, z, w]: [f32x8<S>; 4], rows: &mut [[f32; 4]; 8]) {
+    let (x, y, z, w) = (x.split(), y.split(), z.split(), w.split());
+    let (low, high) = rows.as_flattened_mut().split_at_mut(16);
+    f32x4::store_four_interleaved([x.0, y.0, z.0, w.0], low);
+    f32x4::store_four_interleaved([x.1, y.1, z.1, w.1], high);
 }
 
 /// Four rows as four columns.

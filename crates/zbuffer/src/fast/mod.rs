@@ -60,6 +60,6 @@ mod weights;
 
 pub use band::{Band, Numbers};
 pub use bins::BAND_ROWS;
-pub use eight::{Corners, gather_columns};
+pub use eight::{Corners, gather_columns, load_columns, store_columns};
 pub use projected::{Faces, NONE, Number, Part, Projected};
 pub use weights::{Singly, Weights};

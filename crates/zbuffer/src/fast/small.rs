@@ -5,7 +5,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x8, f64x4, i32x8, mask32x8};
 
 use crate::fast::band::Band;
-use crate::fast::blocks::{BLOCK, keep_nearest};
+use crate::fast::blocks::{BLOCK, affine_z, keep_nearest};
 use crate::fast::eight::{Corners, Eight, centers};
 use crate::fast::projected::Number;
 use crate::fast::vertices::Vertex;
@@ -170,9 +170,9 @@ impl<S: Simd> EightEdges<S> {
     #[inline(always)]
     fn depths(&self, at: &[f32x8<S>; 3], inv: &(f64x4<S>, f64x4<S>)) -> f32x8<S> {
         let at = three!(k => at[k].widen());
-        let (a, b, c) = (self.z[0].widen(), self.z[1].widen(), self.z[2].widen());
-        let low = (at[0].0 * a.0 + at[1].0 * b.0 + at[2].0 * c.0) * inv.0;
-        let high = (at[0].1 * a.1 + at[1].1 * b.1 + at[2].1 * c.1) * inv.1;
+        let z = three!(k => self.z[k].widen());
+        let low = affine_z(three!(k => at[k].0), three!(k => z[k].0), inv.0);
+        let high = affine_z(three!(k => at[k].1), three!(k => z[k].1), inv.1);
         let (least, greatest) =
             (self.z[0].min(self.z[1]).min(self.z[2]), self.z[0].max(self.z[1]).max(self.z[2]));
         low.narrow(high).max(least).min(greatest)
@@ -265,9 +265,9 @@ impl<S: Simd> SmallBlock<S> {
         if covered.all_false() {
             return;
         }
-        let (a, b, c) = (at[0].widen(), at[1].widen(), at[2].widen());
-        let low = (a.0 * self.z[0] + b.0 * self.z[1] + c.0 * self.z[2]) * self.inv_doubled_area;
-        let high = (a.1 * self.z[0] + b.1 * self.z[1] + c.1 * self.z[2]) * self.inv_doubled_area;
+        let at = three!(e => at[e].widen());
+        let low = affine_z(three!(e => at[e].0), self.z, self.inv_doubled_area);
+        let high = affine_z(three!(e => at[e].1), self.z, self.inv_doubled_area);
         let z = low.narrow(high).max(self.least_z).min(self.greatest_z);
         keep_nearest(simd, covered, z, self.number, depths, numbers);
     }

@@ -1,10 +1,11 @@
 //! Where on the screen is each vertex of a mesh? Eight at a time, and each only once however many triangles share it.
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Level, Simd, dispatch, f32x4, f32x8, f64x4};
+use fearless_simd::{Level, Simd, dispatch, f32x8, f64x4};
 use glam::{DVec2, Mat4, Vec3};
 
 use crate::clip::{GUARD_BAND, Viewport};
+use crate::fast::eight::{load_columns, store_columns};
 use crate::screen::SUBPIXELS;
 
 /// A vertex on the screen: x and y in 1/256 pixels, whole numbers; canonical z; 1/w. Four numbers side by side are loaded
@@ -31,19 +32,8 @@ impl ToScreen {
     #[inline(always)]
     fn all<S: Simd>(&self, simd: S, positions: &[Vec3], vertices: &mut [Vertex]) {
         let way = Way::new(simd, self);
-        let mut columns = [[0.0; 8]; 3];
         for (positions, vertices) in positions.chunks(8).zip(vertices.chunks_mut(8)) {
-            for (k, p) in positions.iter().enumerate() {
-                (columns[0][k], columns[1][k], columns[2][k]) = (p.x, p.y, p.z);
-            }
-            let eight = way.eight(simd, &columns);
-            if let Ok(eight_vertices) = <&mut [Vertex; 8]>::try_from(&mut *vertices) {
-                store(eight, eight_vertices);
-            } else {
-                let mut last = [[0.0; 4]; 8];
-                store(eight, &mut last);
-                vertices.copy_from_slice(&last[..vertices.len()]);
-            }
+            store_columns(way.eight(simd, load_columns(simd, positions)), vertices);
         }
     }
 }
@@ -76,9 +66,8 @@ impl<S: Simd> Way<S> {
 
     /// x, y, z, 1/w of eight vertices.
     #[inline(always)]
-    fn eight(&self, simd: S, columns: &[[f32; 8]; 3]) -> [f32x8<S>; 4] {
+    fn eight(&self, simd: S, object: [f32x8<S>; 3]) -> [f32x8<S>; 4] {
         let splat = |c: f32| f32x8::splat(simd, c);
-        let object = three!(k => f32x8::load_array_ref(simd, &columns[k]));
         let world = three!(k => map_affine(&self.world_from_object[k], &object));
         let m = &self.clip_from_world;
         let (x, y) = (map(&m[0], &world).widen(), map(&m[1], &world).widen());
@@ -137,13 +126,4 @@ fn map<S: Simd>(row: &[f32x8<S>; 4], [x, y, z]: &[f32x8<S>; 3]) -> f32x8<S> {
 fn snap<S: Simd>(simd: S, pixel: f32x8<S>) -> f32x8<S> {
     // Times a power of two is exact in f32 too; `round` rounds halves away from zero, as f64's own does.
     (pixel * f32x8::splat(simd, SUBPIXELS as f32)).round()
-}
-
-/// Columns to vertices.
-#[inline(always)]
-fn store<S: Simd>([x, y, z, w]: [f32x8<S>; 4], vertices: &mut [Vertex; 8]) {
-    let (x, y, z, w) = (x.split(), y.split(), z.split(), w.split());
-    let (low, high) = vertices.as_flattened_mut().split_at_mut(16);
-    f32x4::store_four_interleaved([x.0, y.0, z.0, w.0], low);
-    f32x4::store_four_interleaved([x.1, y.1, z.1, w.1], high);
 }
