@@ -3,7 +3,7 @@
 use canvas::{Rgb, row_from_j};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch, f32x8, mask32x8};
-use zbuffer::fast::{Band, Corners, Number, Numbers, Projected};
+use zbuffer::fast::{Band, Corners, Number, Numbers, Projected, Weights};
 
 use crate::fast::attributes::Attributes;
 use crate::fast::known::Known;
@@ -111,25 +111,23 @@ impl Coloring<'_> {
             self.color_one_by_one(&numbers, (i, j), known, pixels);
             return;
         }
-        let start = self.projected.first_vertex(index) as u32;
         let mut of_positions = Corners::default();
-        fill(&mut of_positions, object.mesh.triangles(), &numbers, first, start);
-        let at = Eight { numbers: &numbers, object, index, first, corners: &of_positions, i, j };
-        let mut weights = self.projected.weights(simd, at.corners, i, j);
-        if weights.is_clipped.any_true() {
-            let is_clipped = weights.is_clipped.to_bitmask() as u8 & numbers.is_there;
-            let mut columns =
-                [weights.columns[0].to_array(), weights.columns[1].to_array(), weights.columns[2].to_array()];
-            self.weigh_singly(&at, is_clipped, known, &mut columns);
-            for (column, own) in weights.columns.iter_mut().zip(&columns) {
-                *column = f32x8::load_array_ref(simd, own);
-            }
+        if SHADING != FLAT {
+            let start = self.projected.first_vertex(index) as u32;
+            fill(&mut of_positions, object.mesh.triangles(), &numbers, first, start);
         }
+        let at = Eight { numbers: &numbers, object, index, first, corners: &of_positions, i, j };
         let mut plainly = mask32x8::splat(simd, false);
         let color = match SHADING {
             FLAT => self.flat(simd, &at, known),
-            GOURAUD => self.gouraud(simd, &at, known, &weights.columns, &mut plainly),
-            _ => self.phong(simd, &at, &weights.columns, &mut plainly),
+            GOURAUD => {
+                let weights = self.weights(simd, &at, known);
+                self.gouraud(simd, &at, known, &weights, &mut plainly)
+            }
+            _ => {
+                let weights = self.weights(simd, &at, known);
+                self.phong(simd, &at, &weights, &mut plainly)
+            }
         };
         let (r, g, b) = (color.x.to_array(), color.y.to_array(), color.z.to_array());
         if numbers.is_there == u8::MAX {
@@ -143,9 +141,28 @@ impl Coloring<'_> {
             }
         }
         let plainly = plainly.to_bitmask() as u8 & numbers.is_there;
-        if plainly != 0 && self.shading != Shading::Flat {
+        if plainly != 0 {
             self.color_plainly(&at, plainly, known, pixels);
         }
+    }
+
+    /// The weights of the pixels in their triangles.
+    #[inline(always)]
+    fn weights<S: Simd>(&self, simd: S, at: &Eight, known: &mut Known) -> [f32x8<S>; 3] {
+        let Weights { columns, is_clipped } = self.projected.weights(simd, at.corners, at.i, at.j);
+        let is_clipped = is_clipped.to_bitmask() as u8 & at.numbers.is_there;
+        if is_clipped == 0 {
+            return columns;
+        }
+        let [alpha, beta, gamma] = columns;
+        let mut own = [alpha.to_array(), beta.to_array(), gamma.to_array()];
+        self.weigh_singly(at, is_clipped, known, &mut own);
+        let [alpha, beta, gamma] = &own;
+        [
+            f32x8::load_array_ref(simd, alpha),
+            f32x8::load_array_ref(simd, beta),
+            f32x8::load_array_ref(simd, gamma),
+        ]
     }
 
     /// The weights of those pixels whose triangle was clipped.
