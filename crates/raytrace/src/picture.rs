@@ -67,7 +67,7 @@ pub fn render(
     let rows_done = AtomicUsize::new(0);
     let row_is_done = || progress(rows_done.fetch_add(1, Ordering::Relaxed) + 1);
     match settings.search {
-        Search::Hierarchy => fast::render(world, pipeline, settings, image.pixels_mut(), &row_is_done),
+        Search::Hierarchy => fast::render(world, pipeline, settings, 0, image.pixels_mut(), &row_is_done),
         Search::BruteForce => {
             image.pixels_mut().par_chunks_mut(width as usize).enumerate().for_each(|(row, pixels)| {
                 let j = row_from_j(row as u32, height);
@@ -79,6 +79,26 @@ pub fn render(
         }
     }
     image
+}
+
+/// Some rows of the picture that [`render`] makes, by the fast search: for pictures that appear bit by bit.
+///
+/// - `rows`: as in an image, from the top down.
+///
+/// # Panics
+/// If `settings.samples` is 0, or the rows are not those of the picture.
+#[must_use]
+pub fn render_rows(
+    world: &World,
+    pipeline: &Pipeline,
+    settings: &Settings,
+    rows: std::ops::Range<u32>,
+) -> Vec<Rgb> {
+    assert!(settings.samples > 0, "a pixel needs at least one sample");
+    assert!(rows.start <= rows.end && rows.end <= pipeline.height(), "rows {rows:?}");
+    let mut pixels = vec![Rgb::ZERO; rows.len() * pipeline.width() as usize];
+    fast::render(world, pipeline, settings, rows.start, &mut pixels, &|| ());
+    pixels
 }
 
 /// Where in a pixel a sample lies: the centre of the k-th of n parts of it, where it reaches from −½ to ½.

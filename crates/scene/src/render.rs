@@ -89,7 +89,7 @@ fn render_by(
         }
         (Renderer::Raytrace, _) => {
             let pipeline = prepared.pipeline(width, height)?;
-            let world = traced_world(prepared, settings)?;
+            let world = prepared.traced_world(settings)?;
             let visible = if version == Version::Slide { raytrace::visible_brute } else { raytrace::visible };
             let hits = visible(&world, &pipeline);
             let seen =
@@ -166,7 +166,7 @@ fn trace(
     pipeline: &Pipeline,
     progress: &(dyn Fn(f32) + Sync),
 ) -> Result<Image, RenderError> {
-    let world = traced_world(prepared, settings)?;
+    let world = prepared.traced_world(settings)?;
     let rays = raytrace::Settings {
         samples: settings.samples,
         shadows: settings.shadows,
@@ -177,24 +177,48 @@ fn trace(
     Ok(raytrace::render(&world, pipeline, &rays, &|done| progress(done as f32 / rows)))
 }
 
-fn traced_world(prepared: &Prepared, settings: &Settings) -> Result<raytrace::World, RenderError> {
-    let mut objects = Vec::new();
-    for part in &prepared.parts {
-        for world_from_object in &part.world_from_object {
-            let object =
-                raytrace::Object::new(part.traced_shape(), *world_from_object, part.surfaces.clone())?;
-            objects.push(object);
+impl Prepared {
+    /// The scene as the ray tracer wants it. Hierarchies are built the first time, and shared.
+    ///
+    /// # Errors
+    /// [`RenderError`] if an object's matrix cannot be inverted.
+    pub fn traced_world(&self, settings: &Settings) -> Result<raytrace::World, RenderError> {
+        let mut objects = Vec::new();
+        for part in self.parts.iter() {
+            for world_from_object in &part.world_from_object {
+                let object =
+                    raytrace::Object::new(part.traced_shape(), *world_from_object, part.surfaces.clone())?;
+                objects.push(object);
+            }
         }
+        let mut world = raytrace::World::new(objects, self.lights.clone());
+        world.background = self.background;
+        world.highlight = settings.highlight;
+        world.interpolation = match settings.shading {
+            Shading::Flat => Interpolation::Flat,
+            Shading::Gouraud => Interpolation::Gouraud,
+            Shading::Phong => Interpolation::Phong,
+        };
+        Ok(world)
     }
-    let mut world = raytrace::World::new(objects, prepared.lights.clone());
-    world.background = prepared.background;
-    world.highlight = settings.highlight;
-    world.interpolation = match settings.shading {
-        Shading::Flat => Interpolation::Flat,
-        Shading::Gouraud => Interpolation::Gouraud,
-        Shading::Phong => Interpolation::Phong,
-    };
-    Ok(world)
+
+    /// Looks at the scene as rasterizers want it: objects in the order in which they are drawn.
+    pub fn in_world<T>(&self, settings: &Settings, look: impl FnOnce(&shading::World) -> T) -> T {
+        let mut objects = Vec::new();
+        for part in self.parts.iter() {
+            objects.extend(part.world_from_object.iter().map(|world_from_object| shading::Object {
+                mesh: &part.mesh,
+                world_from_object: *world_from_object,
+                materials: &part.materials,
+            }));
+        }
+        look(&shading::World {
+            objects: &objects,
+            lights: &self.lights,
+            background: self.background,
+            highlight: settings.highlight,
+        })
+    }
 }
 
 /// The colours in object order.
@@ -212,7 +236,7 @@ fn colors(
         return Ok(rasterized(version, prepared, settings, pipeline, notes)?.image);
     }
     notes.extend(optics_note(prepared, settings));
-    Ok(in_world(prepared, settings, |world| shading::fast::render(world, pipeline, settings.shading)))
+    Ok(prepared.in_world(settings, |world| shading::fast::render(world, pipeline, settings.shading)))
 }
 
 /// The frame in object order.
@@ -232,7 +256,7 @@ fn rasterized(
     } else {
         Visibility::ZBuffer(settings.depth_bits)
     };
-    let frame = in_world(prepared, settings, |world| match (version, visibility) {
+    let frame = prepared.in_world(settings, |world| match (version, visibility) {
         (Version::Slide, Visibility::ZBuffer(format)) => {
             shading::render_plain(world, pipeline, settings.shading, format)
         }
@@ -244,24 +268,6 @@ fn rasterized(
     notes.extend(frame.painter.as_ref().and_then(painters_note));
     notes.extend(optics_note(prepared, settings));
     Ok(frame)
-}
-
-/// Looks at the scene as rasterizers want it.
-fn in_world<T>(prepared: &Prepared, settings: &Settings, look: impl FnOnce(&shading::World) -> T) -> T {
-    let mut objects = Vec::new();
-    for part in &prepared.parts {
-        objects.extend(part.world_from_object.iter().map(|world_from_object| shading::Object {
-            mesh: &part.mesh,
-            world_from_object: *world_from_object,
-            materials: &part.materials,
-        }));
-    }
-    look(&shading::World {
-        objects: &objects,
-        lights: &prepared.lights,
-        background: prepared.background,
-        highlight: settings.highlight,
-    })
 }
 
 /// What a rasterizer leaves out, if anything.

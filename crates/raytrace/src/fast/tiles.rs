@@ -19,17 +19,18 @@ use crate::world::World;
 const SIDE: u32 = 8;
 const PIXELS: usize = (SIDE * SIDE) as usize;
 
-/// Writes the picture, rows from the top down. `row_is_done` is called once for each row, from any thread.
+/// Writes the picture from its row `first` on, rows from the top down. `row_is_done` is called once for each row, from any thread.
 pub(crate) fn render(
     world: &World,
     pipeline: &Pipeline,
     settings: &Settings,
+    first: u32,
     pixels: &mut [Rgb],
     row_is_done: &(dyn Fn() + Sync),
 ) {
     let width = pipeline.width();
     pixels.par_chunks_mut((SIDE * width) as usize).enumerate().for_each(|(band, pixels)| {
-        let first_row = band as u32 * SIDE;
+        let first_row = first + band as u32 * SIDE;
         let rows = pixels.len() as u32 / width;
         for first_i in (0..width).step_by(SIDE as usize) {
             let colors = tile_colors(world, pipeline, settings, (first_i, first_row));

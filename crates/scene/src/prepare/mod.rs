@@ -2,20 +2,23 @@
 
 mod part;
 
+use std::sync::Arc;
+
 use glam::Vec3;
 use lighting::{Light, Rgb};
 use raytrace::Optics;
 use transforms::{Camera, Pipeline, ViewVolume};
 
 use crate::limits::MOST_TRIANGLES;
-use crate::scene::{Lens, Scene};
+use crate::scene::{Lens, Scene, View};
 use crate::{Loaded, RenderError};
 pub(crate) use part::{Part, fitted};
 
 /// A scene made ready: meshes built and shared, normals there, lights normalized. Renders any number of times.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Prepared {
-    pub(crate) parts: Vec<Part>,
+    /// Shared by all views of the scene.
+    pub(crate) parts: Arc<Vec<Part>>,
     pub(crate) lights: Vec<Light>,
     pub(crate) background: Rgb,
     camera: Camera,
@@ -47,7 +50,7 @@ pub fn prepare(loaded: &Loaded) -> Result<Prepared, RenderError> {
     let camera = Camera::look_at(view.eye, view.target, view.up)?;
     Ok(Prepared {
         extent: extent(&camera, &parts),
-        parts,
+        parts: Arc::new(parts),
         lights: scene.lights.iter().map(normalized).collect(),
         background: scene.background,
         camera,
@@ -57,6 +60,21 @@ pub fn prepare(loaded: &Loaded) -> Result<Prepared, RenderError> {
 }
 
 impl Prepared {
+    /// The same scene from another place, or through another lens. Meshes and hierarchies are shared, so it costs next to nothing.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the camera has no direction or its gaze is along `up`.
+    pub fn seen_by(&self, view: &View) -> Result<Self, RenderError> {
+        let camera = Camera::look_at(view.eye, view.target, view.up)?;
+        Ok(Self { extent: extent(&camera, &self.parts), camera, lens: view.lens, ..self.clone() })
+    }
+
+    /// What shines on the scene, world space.
+    #[must_use]
+    pub fn lights(&self) -> &[Light] {
+        &self.lights
+    }
+
     /// The camera with its viewing volume, for a picture of `width` × `height` pixels.
     ///
     /// A picture of another shape than the scene's holds all that the scene's does, and more: a wider one at its sides, a

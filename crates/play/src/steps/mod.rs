@@ -1,0 +1,1 @@
+//! What happens one step after the other?
