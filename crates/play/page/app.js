@@ -21,11 +21,10 @@ const help = helpDialog();
 
 /** What a name means: a view, a figure, a claim, or nothing. */
 const find = (name, values) => {
-  if (Object.hasOwn(VIEWS, name)) return { view: VIEWS[name] };
   const wanted = name.toLowerCase();
-  const claim = lecture.claims.find((c) => c.stem.toLowerCase() === wanted)
-    ?? (values.has('claim') ? lecture.claims.find((c) => c.stem === values.get('claim')) : undefined);
+  const claim = lecture.claims.find((c) => c.stem.toLowerCase() === wanted || c.stem === values.get('claim'));
   if (claim) return { view: claims, claim };
+  if (Object.hasOwn(VIEWS, name)) return { view: VIEWS[name] };
   const { figures } = lecture;
   const found = figures.find((f) => f.stem.toLowerCase() === wanted)
     ?? figures.find((f) => f.stem.toLowerCase().startsWith(`${wanted}-`))
