@@ -74,7 +74,7 @@ export const figure = (place, context) => {
   };
   const room = (element) => {
     if (show.isOn()) return element.parentElement.clientHeight;
-    return window.innerWidth < 640 ? Infinity : Math.max(300, window.innerHeight - 290);
+    return window.innerWidth < 640 ? Infinity : Math.max(300, window.innerHeight - 260);
   };
   const grid = drawingGrid({
     onmove: (drawing, handle, to, settled) => draw({ move: { drawing, handle, to, dragged: !settled }, settled }),
@@ -168,12 +168,15 @@ const related = (its, lecture) => {
         make('a', { href: format(claim.number, { claim: claim.stem }) }, make('span', { class: 'number' }, claim.number), ' ', make('span', { words: claim.truth })))))));
 };
 
+/** Letters as the slides write them. */
+const GREEK = { alpha: 'α', beta: 'β', gamma: 'γ', theta: 'θ', phi: 'φ' };
+
 /** All figures, with their titles. */
 const list = (lecture) => make('ul', { class: 'list' }, lecture.figures.map((its) => make('li', {},
   make('a', { href: format(its.stem), 'data-test': 'figure-link', 'data-figure': its.stem },
     make('span', { class: 'number' }, its.numbers[0]),
     make('span', { class: 'title', words: its.title }),
-    its.parameters.length > 0 && make('span', { class: 'moves' }, its.parameters.map((p) => make('span', {}, p.name)))))));
+    its.parameters.length > 0 && make('span', { class: 'moves' }, its.parameters.map((p) => make('span', {}, GREEK[p.name] ?? p.name)))))));
 
 /** What there is. */
 export const overview = (place, { lecture }) => {
@@ -181,7 +184,7 @@ export const overview = (place, { lecture }) => {
   place.append(
     make('h1', { words: T.overview }),
     make('p', { class: 'lead', words: T.overviewLead }),
-    make('ul', { class: 'doors' }, [['#loops', T.loops, T.orbitHelp], ['#steps', T.steps, T.depthKind], ['#claims', T.claimsTitle, T.claimsLead]]
+    make('ul', { class: 'doors' }, [['#loops', T.loops, T.doorLoops], ['#steps', T.steps, T.doorSteps], ['#claims', T.claimsTitle, T.claimsLead]]
       .map(([href, words, lead]) => make('li', {}, make('a', { href }, make('strong', { words }), make('span', { words: lead }))))),
     make('h2', { words: T.figures }),
     list(lecture),

@@ -15,6 +15,8 @@ import { T, join, number, same, say } from './words.js';
 const LOOPS = ['painter', 'zbuffer', 'raytrace'];
 /** The painter's pictures come at least so far apart while something moves, in milliseconds: the z-buffer goes first. */
 const PAINTER_PAUSE = 150;
+/** It works at most one part in so many of the time, however long it takes. */
+const PAINTER_SHARE = 3;
 /** Frames a second are counted over so many milliseconds. */
 const COUNTED = 1000;
 /** So long after the last change everything counts as still, in milliseconds. */
@@ -48,7 +50,7 @@ const screen = (name, on) => {
     name, element, canvas, shown, wrong, larger, progress, mark, steer,
     time: (words) => say(time, words),
     rate: (text) => { rate.textContent = text; },
-    notes: (list) => notes.replaceChildren(...list.map((note) => make('li', {}, note))),
+    notes: (list) => notes.replaceChildren(...list.map((note) => make('li', { lang: 'en' }, note))),
   };
 };
 
@@ -114,7 +116,8 @@ export const threeScreens = ({ look: first, alone: firstAlone, onlook, onchoose,
     }
     onshown('zbuffer', asked);
   });
-  const drawPainter = simple('painter');
+  let painterTook = 0;
+  const drawPainter = simple('painter', () => { painterTook = performance.now() - painterBegan; });
   const tracer = refiner({
     put: (rows, scale) => {
       screens.raytrace.shown.put(rows, scale, size());
@@ -135,7 +138,7 @@ export const threeScreens = ({ look: first, alone: firstAlone, onlook, onchoose,
   const request = () => {
     if (isSeen('zbuffer')) drawZbuffer(look);
     if (isSeen('painter') && painterTimer === null) {
-      const wait = Math.max(0, painterBegan + PAINTER_PAUSE - performance.now());
+      const wait = Math.max(0, painterBegan + Math.max(PAINTER_PAUSE, PAINTER_SHARE * painterTook) - performance.now());
       painterTimer = setTimeout(() => {
         painterTimer = null;
         painterBegan = performance.now();

@@ -42,6 +42,14 @@ const TEXTS = {
   ],
   again: ['Try again', 'Probeer opnieuw'],
   working: ['Working …', 'Bezig …'],
+  doorLoops: [
+    'Painter, z-buffer and ray tracer with the same camera; click a pixel and read what happened there.',
+    'Schilder, z-buffer en raytracer met dezelfde camera; klik op een pixel en lees wat daar gebeurde.',
+  ],
+  doorSteps: [
+    'The depth grids triangle by triangle, the painter’s order, and three ways to solve a 3×3 system.',
+    'De dieptetabellen driehoek voor driehoek, de volgorde van de schilder, en drie manieren om een 3×3-stelsel op te lossen.',
+  ],
   // One scene, three loops.
   scene: ['Scene', 'Scène'],
   shading: ['Shading', 'Schakering'],
@@ -59,7 +67,7 @@ const TEXTS = {
   depth: ['depths', 'dieptes'],
   normals: ['normals', 'normalen'],
   barycentric: ['barycentric coordinates', 'barycentrische coördinaten'],
-  overdraw: ['overdraw: how often a pixel was written', 'overdraw: hoe vaak een pixel beschreven is'],
+  overdraw: ['overdraw (times written)', 'overdraw (keren beschreven)'],
   level: ['Subdivision', 'Onderverdeling'],
   ofScene: ['the scene’s own', 'die van de scène'],
   size: ['Size', 'Afmeting'],
