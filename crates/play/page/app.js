@@ -28,10 +28,12 @@ const find = (name, values) => {
   const { figures } = lecture;
   const found = figures.find((f) => f.stem.toLowerCase() === wanted)
     ?? figures.find((f) => f.stem.toLowerCase().startsWith(`${wanted}-`))
-    ?? figures.find((f) => f.name.toLowerCase() === wanted)
-    ?? figures.find((f) => f.numbers.some((n) => n.toLowerCase() === wanted));
+    ?? figures.find((f) => f.name.toLowerCase() === wanted);
   if (found) return { view: figure, figure: found };
+  // A figure may show several items of the lecture; an error in the slides is shown best by its own switch.
   const byNumber = lecture.claims.find((c) => c.number.toLowerCase() === wanted);
+  const shows = figures.find((f) => f.numbers.some((n) => n.toLowerCase() === wanted));
+  if (shows && !byNumber?.erratum) return { view: figure, figure: shows };
   return byNumber ? { view: claims, claim: byNumber } : { view: unknown };
 };
 

@@ -28,7 +28,7 @@ const trial = (claim, firstVersion, onversion) => {
   const verdict = make('span', { class: 'verdict-place', 'aria-live': 'polite', 'data-test': 'verdict' });
   const evidence = make('ul', { class: 'evidence' });
   const says = make('div', { class: 'says', 'aria-live': 'polite', 'data-test': 'says' });
-  const grid = drawingGrid({ test: 'claim-drawings', room: () => Math.max(260, window.innerHeight - (show.isOn() ? 280 : 360)) });
+  const grid = drawingGrid({ test: 'claim-drawings', captions: false, room: () => Math.max(260, window.innerHeight - (show.isOn() ? 200 : 360)) });
   const group = fresh('version');
   const radios = VERSIONS.map((name) => {
     const radio = make('input', { type: 'radio', name: group, value: name, 'data-test': 'claim-version' });
@@ -52,6 +52,7 @@ const trial = (claim, firstVersion, onversion) => {
     ].filter(Boolean) : []));
     const drawings = answer?.drawings ?? [];
     const seen = versions.hidden || drawings.length < 2 ? drawings : [drawings[version === 'slide' ? 0 : 1]];
+    element.classList.toggle('pictured', seen.length > 0);
     if (seen.length) await grid.show(seen);
   };
   const choose = (name) => {
@@ -93,11 +94,15 @@ const trial = (claim, firstVersion, onversion) => {
   };
   const element = make('article', { class: `claim${claim.erratum ? ' erratum' : ''}`, id: `claim-${claim.stem}`, 'data-claim': claim.stem },
     make('h2', {}, make('a', { class: 'number', href: format(claim.number, { claim: claim.stem }) }, claim.number), ' ', verdict, runner),
-    make('p', { class: 'quote', lang: 'nl' }, `„${claim.quote}”`),
-    make('p', { class: 'translation', lang: 'en' }, `“${claim.translation}”`),
-    make('p', { class: 'truth', words: claim.truth }),
-    versions, says, grid.element, evidence, wrong.element,
-    claim.code?.length > 0 && make('p', { class: 'code' }, claim.code.map((name) => make('code', {}, name))));
+    make('div', { class: 'sides' },
+      make('div', { class: 'words' },
+        make('p', { class: 'quote', lang: 'nl' }, `„${claim.quote}”`),
+        make('p', { class: 'translation', lang: 'en' }, `“${claim.translation}”`),
+        make('p', { class: 'truth', words: claim.truth }),
+        versions, says),
+      grid.element,
+      make('div', { class: 'words' }, evidence, wrong.element,
+        claim.code?.length > 0 && make('p', { class: 'code' }, claim.code.map((name) => make('code', {}, name))))));
   return {
     element,
     run,
@@ -136,7 +141,7 @@ export const claims = (place, context) => {
     ?? trials.find((t) => t.claim === asked && t.element.getBoundingClientRect().bottom > 0)
     ?? trials.find((t) => t.element.getBoundingClientRect().bottom > window.innerHeight * 0.4);
   const first = trials.find((t) => t.claim === asked);
-  if (first && trials.length > 1) requestAnimationFrame(() => first.element.scrollIntoView({ block: 'start' }));
+  if (first && first !== trials[0]) requestAnimationFrame(() => first.element.scrollIntoView({ block: 'start' }));
 
   const numbers = [...new Set(lecture.claims.filter((c) => c.erratum).map((c) => c.number))];
   const step = (by) => {

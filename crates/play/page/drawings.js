@@ -35,9 +35,9 @@ const ready = async (drawing) => {
 
 /**
  * A row or grid of drawings. `onmove(drawing, handle, to, settled)` is called when a handle is moved; without it there are no
- * handles. `room()` says how high all of it may be.
+ * handles. `room()` says how high all of it may be; without `captions` nothing stands under a drawing.
  */
-export const drawingGrid = ({ onmove, valueOf, room, test } = {}) => {
+export const drawingGrid = ({ onmove, valueOf, room, test, captions = true } = {}) => {
   const element = make('div', { class: 'drawings', 'data-test': test ?? 'drawings' });
   let cells = [];
   let turn = 0;
@@ -99,7 +99,7 @@ export const drawingGrid = ({ onmove, valueOf, room, test } = {}) => {
         changed ||= Math.abs(c.aspect - aspect) > 1e-3 || !c.shown;
         Object.assign(c, { shown, aspect, width });
         c.stage.style.setProperty('aspect-ratio', aspect);
-        const name = nameOf(drawings[at]);
+        const name = captions ? nameOf(drawings[at]) : null;
         c.caption.hidden = !name;
         if (name) say(c.caption, name);
         c.layer?.show(drawings[at].handles ?? []);

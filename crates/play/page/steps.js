@@ -77,6 +77,7 @@ export const steps = (place, context) => {
     for (const [its, off] of [[first, at <= 0], [back, at <= 0], [forward, at >= list.length - 1], [last, at >= list.length - 1]]) its.setAttribute('aria-disabled', String(off));
     slider.max = Math.max(1, list.length);
     slider.value = at + 1;
+    slider.style.setProperty('--part', `${(100 * at) / Math.max(1, list.length - 1)}%`);
     const counted = list.length ? join([T.step, same(at + 1), T.of, same(list.length)]) : same('');
     say(slider, counted, 'aria-valuetext');
     say(count, list.length ? same(`${at + 1} / ${list.length}`) : same(''));
@@ -118,11 +119,11 @@ export const steps = (place, context) => {
     pause();
     go(to());
   };
-  const first = signButton('⏮', T.first, by(() => 0), { 'data-test': 'step-first' });
-  const back = signButton('◀', T.back, by(() => at - 1), { 'data-test': 'step-back' });
+  const first = signButton('«', T.first, by(() => 0), { 'data-test': 'step-first' });
+  const back = signButton('‹', T.back, by(() => at - 1), { 'data-test': 'step-back' });
   const player = signButton('▶', T.play, play, { 'data-test': 'step-play' });
-  const forward = signButton('▶', T.forward, by(() => at + 1), { 'data-test': 'step-forward' });
-  const last = signButton('⏭', T.last, by(() => (answer?.steps.length ?? 1) - 1), { 'data-test': 'step-last' });
+  const forward = signButton('›', T.forward, by(() => at + 1), { 'data-test': 'step-forward' });
+  const last = signButton('»', T.last, by(() => (answer?.steps.length ?? 1) - 1), { 'data-test': 'step-last' });
   player.classList.add('player');
   slider.addEventListener('input', by(() => Number(slider.value) - 1));
 

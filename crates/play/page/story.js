@@ -27,7 +27,7 @@ const testsTitle = (tests) => join([T.tests, same(`(${tests.length})`)]);
 const zbufferTests = (tests) => table(T.tests,
   [T.order, T.triangle, T.edges, T.inside, same('α, β, γ'), same('z'), T.before, T.nearer, T.what],
   tests.map((test) => ({
-    kind: test.nearer ? 'nearest' : test.inside ? '' : 'outside',
+    kind: test.nearer ? 'nearest' : test.inside ? '' : 'missed',
     cells: [number(test.order), triangleOf(test), (test.edges ?? []).map((e) => number(e, 3)).join(', '), yesNo(test.inside),
       test.weights ? test.weights.map((w) => number(w, 3)).join(', ') : '–', number(test.z, 5),
       number(test.before, 5), yesNo(test.inside ? test.nearer : null), test.words ?? same('')],
@@ -36,7 +36,7 @@ const zbufferTests = (tests) => table(T.tests,
 const rayTests = (tests) => table(T.tests,
   [T.order, T.triangle, same('t'), same('γ'), same('β'), T.inside, T.nearer, T.what],
   tests.map((test) => ({
-    kind: test.nearer ? 'nearest' : test.inside ? '' : 'outside',
+    kind: test.nearer ? 'nearest' : test.inside ? '' : 'missed',
     cells: [number(test.order), triangleOf(test), number(test.t), number(test.gamma, 3), number(test.beta, 3),
       yesNo(test.inside), yesNo(test.inside ? test.nearer : null), test.words ?? same(test.exit ?? '')],
   })));
