@@ -216,4 +216,3 @@ fn moved(view: &View, look: &Look) -> Result<View, Refusal> {
     let length = look.distance * from_target.length();
     Ok(View { eye: view.target + length * (wanted.cos() * ahead + wanted.sin() * up), ..*view })
 }
-

@@ -26,7 +26,10 @@ pub(crate) fn run(Command::Play(asked): &Command) -> Result<Outcome, Failure> {
     let place = place(asked)?;
     let page = std::env::var_os(PAGE).map(PathBuf::from);
     let server = Server::start(asked.port, mine(), page).map_err(|error| {
-        Failure::new(error.to_string(), "end what uses the ports, or choose another one: cargo lab play --port 8000")
+        Failure::new(
+            error.to_string(),
+            "end what uses the ports, or choose another one: cargo lab play --port 8000",
+        )
     })?;
     let address = server.address(&place);
     say(&address)?;
@@ -42,7 +45,10 @@ pub(crate) fn run(Command::Play(asked): &Command) -> Result<Outcome, Failure> {
     }
     match server.run_until_measured() {
         Some(measured) => say(&report(&measured)).map(|()| Outcome::Done),
-        None => Err(Failure::new("the page measured nothing", "open the address in a browser, and keep its tab in sight")),
+        None => Err(Failure::new(
+            "the page measured nothing",
+            "open the address in a browser, and keep its tab in sight",
+        )),
     }
 }
 
@@ -55,13 +61,16 @@ fn place(asked: &PlayArgs) -> Result<String, Failure> {
         return Ok("measure".to_owned());
     }
     let Some(figure) = &asked.figure else { return Ok(String::new()) };
-    let (name, state) = figure.split_once('?').map_or((figure.as_str(), None), |(name, state)| (name, Some(state)));
+    let (name, state) =
+        figure.split_once('?').map_or((figure.as_str(), None), |(name, state)| (name, Some(state)));
     let views = ["loops", "claims", "steps"];
     let Some(place) = figures::find(name)
         .first()
         .map(|figure| figure.stem())
         .or_else(|| views.contains(&name).then(|| name.to_owned()))
-        .or_else(|| figures::claims::find(name).first().map(|claim| format!("claims?claim={}", claim.stem())))
+        .or_else(|| {
+            figures::claims::find(name).first().map(|claim| format!("claims?claim={}", claim.stem()))
+        })
     else {
         return Err(Failure::new(
             format!("no figure is called {name:?}"),

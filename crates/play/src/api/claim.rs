@@ -1,10 +1,11 @@
 //! Is it true? The claim stands its trial when the page asks.
 
-use figures::claims::{self, Verdict};
+use figures::claims::{self, Verdict, Version};
 use serde::Deserialize;
 use serde_json::{Value as Json, json};
 
 use super::drawings::drawings;
+use super::words;
 use crate::Refusal;
 
 /// A claim.
@@ -34,11 +35,15 @@ pub(crate) fn run(asked: &Asked) -> Result<Json, Refusal> {
     };
     let pictures = claim.pictures.map(|pictures| pictures()).transpose();
     let pictures = pictures.map_err(|error| Refusal(error.to_string().into()))?.unwrap_or_default();
+    let version = |version: &Version| json!({ "says": words(&version.says), "gives": words(&version.gives) });
+    let [slide, right] = claim.versions.map_or([Json::Null, Json::Null], |run| run().each_ref().map(version));
     Ok(json!({
         "verdict": verdict,
         "class": class,
         "expected": report.is_as_expected(),
         "evidence": report.examination.evidence.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "drawings": drawings(&pictures)?,
+        "slide": slide,
+        "right": right,
     }))
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use figures::{Figure, Values};
+use glam::Vec2;
 use serde::Deserialize;
 use serde_json::{Value as Json, json};
 
@@ -92,6 +93,7 @@ pub(crate) struct Dragged {
 pub(crate) fn drag(asked: &Dragged) -> Result<Json, Refusal> {
     let figure = find(&asked.figure)?;
     let values = values(figure, &asked.set, asked.size)?;
-    let _ = (asked.drawing, asked.handle, asked.to);
-    drawn(figure, &values)
+    let to = Vec2::from(asked.to).clamp(Vec2::ZERO, Vec2::ONE);
+    let values = figures::drag(figure, &values, asked.drawing, asked.handle, to);
+    drawn(figure, &values.map_err(|error| Refusal(error.to_string().into()))?)
 }

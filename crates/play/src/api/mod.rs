@@ -61,6 +61,7 @@ pub(crate) fn text(text: Text) -> Json {
 /// # Errors
 /// [`Refusal`] if there is none.
 pub(crate) fn exercise(name: &str) -> Result<&'static Exercise, Refusal> {
-    course::find(name)
-        .ok_or_else(|| Refusal::new(format!("there is no exercise {name:?}"), format!("er is geen opgave {name:?}")))
+    course::find(name).ok_or_else(|| {
+        Refusal::new(format!("there is no exercise {name:?}"), format!("er is geen opgave {name:?}"))
+    })
 }

@@ -58,16 +58,18 @@ impl Guard {
             .iter()
             .all(|origin| origin.strip_prefix("http://").is_some_and(is_ours));
         // Browsers say where a request begins even where they send no origin; an address that was typed begins nowhere.
-        let begins_here = texts(headers, "sec-fetch-site")
-            .iter()
-            .all(|site| matches!(*site, "same-origin" | "none"));
+        let begins_here =
+            texts(headers, "sec-fetch-site").iter().all(|site| matches!(*site, "same-origin" | "none"));
         means_us && comes_from_us && begins_here
     }
 
     /// Whether the browser has shown the key.
     pub(crate) fn trusts(&self, headers: &HeaderMap) -> bool {
         let wanted = format!("{}={}", self.cookie(), self.key);
-        texts(headers, COOKIE.as_str()).iter().flat_map(|line| line.split(';')).any(|pair| pair.trim() == wanted)
+        texts(headers, COOKIE.as_str())
+            .iter()
+            .flat_map(|line| line.split(';'))
+            .any(|pair| pair.trim() == wanted)
     }
 
     /// What keeps the key in the browser: cookies know no ports, so that two servers need two names.
@@ -108,13 +110,24 @@ mod tests {
         for host in ["127.0.0.1:4000", "localhost:4000"] {
             assert!(guard().admits(&headers(&[("host", host)])));
             let origin = format!("http://{host}");
-            assert!(guard().admits(&headers(&[("host", host), ("origin", &origin), ("sec-fetch-site", "same-origin")])));
+            assert!(guard().admits(&headers(&[
+                ("host", host),
+                ("origin", &origin),
+                ("sec-fetch-site", "same-origin")
+            ])));
         }
     }
 
     #[test]
     fn other_names_for_this_machine_are_turned_away() {
-        for host in ["evil.example:4000", "127.0.0.1", "127.0.0.1:4001", "127.0.0.1:4000.evil.example", "[::1]:4000", ""] {
+        for host in [
+            "evil.example:4000",
+            "127.0.0.1",
+            "127.0.0.1:4001",
+            "127.0.0.1:4000.evil.example",
+            "[::1]:4000",
+            "",
+        ] {
             assert!(!guard().admits(&headers(&[("host", host)])), "{host}");
         }
         assert!(!guard().admits(&HeaderMap::new()));
@@ -133,7 +146,10 @@ mod tests {
             ("sec-fetch-site", "cross-site"),
             ("sec-fetch-site", "same-site"),
         ] {
-            assert!(!guard().admits(&headers(&[("host", "127.0.0.1:4000"), (name, value)])), "{name}: {value}");
+            assert!(
+                !guard().admits(&headers(&[("host", "127.0.0.1:4000"), (name, value)])),
+                "{name}: {value}"
+            );
         }
     }
 

@@ -68,7 +68,10 @@ impl Problem {
             Self::Refused(refusal) => answer::refused(StatusCode::UNPROCESSABLE_ENTITY, &refusal),
             Self::Busy(Busy::Full) => answer::refused(
                 StatusCode::SERVICE_UNAVAILABLE,
-                &Refusal::new("too many requests wait: close some tabs", "er wachten te veel verzoeken: sluit wat tabbladen"),
+                &Refusal::new(
+                    "too many requests wait: close some tabs",
+                    "er wachten te veel verzoeken: sluit wat tabbladen",
+                ),
             ),
             Self::Busy(Busy::Panicked) => answer::refused(
                 StatusCode::INTERNAL_SERVER_ERROR,
