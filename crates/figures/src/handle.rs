@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use glam::{Mat4, Vec2, Vec3, vec2};
+use glam::{Vec2, Vec3, vec2};
 use sheet::{Sheet, Text, Words};
 use transforms::Pipeline;
 
@@ -74,11 +74,6 @@ pub(crate) fn in_picture(pipeline: &Pipeline, p_world: Vec3) -> Option<Vec2> {
     // The screen begins half a pixel before the centre of pixel (0, 0), and j runs upwards.
     let share = (screen + 0.5) / size;
     Some(vec2(share.x, 1.0 - share.y))
-}
-
-/// Where the image of a point under `map` lies in the picture.
-pub(crate) fn mapped_in_picture(pipeline: &Pipeline, map: &Mat4, p: Vec3) -> Option<Vec2> {
-    in_picture(pipeline, map.project_point3(p))
 }
 
 #[cfg(test)]

@@ -24,6 +24,7 @@ pub mod handle;
 pub mod page;
 pub mod parameter;
 
+mod ball;
 mod diagrams;
 mod on_screen;
 mod pictures;

@@ -20,6 +20,9 @@ pub(super) fn tip(vector: Vec3) -> Vec2 {
     vector.truncate()
 }
 
+/// The least y that is drawn where everything lies above the surface: a little below it.
+pub(super) const LOWEST: f32 = -0.12;
+
 /// A sheet with the surface, from 1.1 at the left to 1.1 at the right, and half of the unit circle in which all unit vectors
 /// end; room for words at the right. `lowest` is the least y that must be seen.
 pub(super) fn sheet(lowest: f32) -> Sheet {
