@@ -1,0 +1,84 @@
+// How does the ray tracer's picture come? Coarse at once, then finer, row by row; any change begins it anew.
+
+import { busy, frame } from './net.js';
+
+/** Each picture has this part of the full one's width and height. */
+const COARSE = [8, 4, 2];
+/** More rays for each pixel, in a second and a third round. */
+const SAMPLES = [1, 2, 3];
+/** A band of rows should take so long, in microseconds: a change waits no longer. */
+const BAND = 60_000;
+/** So long after a change the first coarse picture is asked for, in milliseconds. */
+const PAUSE = 90;
+
+/**
+ * Draws looks with the ray tracer. `put(picture, scale)` shows one, `progress({scale, samples, part, micros, notes, over})` says how
+ * far it is, `failed(error)` what went wrong.
+ */
+export const refiner = ({ put, progress, failed }) => {
+  let generation = 0;
+  let interrupt = null;
+  let timer = null;
+  let look = null;
+  let running = Promise.resolve();
+
+  const run = async (mine, signal) => {
+    const began = performance.now();
+    const wanted = look;
+    const question = (more) => frame({ look: wanted, renderer: 'raytrace', scale: 1, rows: null, samples: 1, ...more }, signal);
+    const told = (picture, more) => progress({ micros: picture.micros, notes: picture.notes, elapsed: performance.now() - began, over: false, ...more });
+    let perRow = null;
+    for (const scale of COARSE) {
+      const picture = await question({ scale });
+      if (mine !== generation) return;
+      put(picture, scale);
+      told(picture, { scale, samples: 1, part: 1 });
+      // A full row has `scale` times as many pixels as a coarse one.
+      perRow = (picture.micros / Math.max(1, picture.height)) * scale;
+    }
+    for (const samples of SAMPLES) {
+      let perBand = Math.max(1, perRow * samples * samples);
+      let row = 0;
+      while (row < wanted.height) {
+        const rows = Math.min(wanted.height - row, Math.max(4, Math.round(BAND / perBand)));
+        const picture = await question({ rows: [row, row + rows], samples });
+        if (mine !== generation) return;
+        put(picture, 1);
+        row += rows;
+        perBand = Math.max(1, picture.micros / rows);
+        told(picture, { scale: 1, samples, part: row / wanted.height, over: samples === SAMPLES.at(-1) && row >= wanted.height });
+      }
+    }
+  };
+
+  const begin = async () => {
+    timer = null;
+    const mine = generation;
+    interrupt = new AbortController();
+    const done = busy();
+    try {
+      await run(mine, interrupt.signal);
+    } catch (error) {
+      if (error.name !== 'AbortError' && mine === generation) failed(error);
+    } finally {
+      done();
+    }
+  };
+
+  return {
+    /** Draws this look from now on. */
+    draw: (next) => {
+      generation += 1;
+      look = next;
+      interrupt?.abort();
+      interrupt = null;
+      timer ??= setTimeout(() => { running = running.then(begin); }, PAUSE);
+    },
+    stop: () => {
+      generation += 1;
+      interrupt?.abort();
+      clearTimeout(timer);
+      timer = null;
+    },
+  };
+};
