@@ -18,16 +18,21 @@
 struct ReadmeExamples;
 
 pub mod claims;
+pub mod drag;
 pub mod figure;
+pub mod handle;
 pub mod page;
 pub mod parameter;
 
+mod ball;
 mod diagrams;
 mod on_screen;
 mod pictures;
 mod plots;
 
+pub use drag::{DragError, drag};
 pub use figure::{Content, Drawing, Drawn, Figure, Text, Words};
+pub use handle::{Handle, Handled, Handles};
 pub use parameter::{Parameter, ParameterError, Values};
 
 /// Every figure, in the order of the lecture.

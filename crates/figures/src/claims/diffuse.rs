@@ -7,15 +7,15 @@ use lighting::{Highlight, Light, Material, Rgb, SurfacePoint, lambert, lit};
 use raytrace::optics::fresnel;
 
 use super::sample::{Sequence, short, trials};
-use super::{Claim, Examination, Trial, Verdict, judge, text};
+use super::{Claim, Examination, Trial, Verdict, judge, text, versions};
 
 /// What a surface with normal z at the origin shows.
-fn shown(material: &Material, lights: &[Light], to_eye: Vec3) -> Rgb {
+pub(super) fn shown(material: &Material, lights: &[Light], to_eye: Vec3) -> Rgb {
     let at = SurfacePoint { p_world: Vec3::ZERO, n: Vec3::Z, to_eye };
     lit(material, lights, Highlight::Phong, &at, |_| true)
 }
 
-fn sun(to_light: Vec3, color: Rgb) -> Light {
+pub(super) fn sun(to_light: Vec3, color: Rgb) -> Light {
     Light::Directional { to_light, color }
 }
 
@@ -43,6 +43,7 @@ pub(super) static THREE_PARTS: Claim = Claim {
         judge("reflected and transmitted light are all that arrives", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 /// The energy behind the surface, from the amplitudes that pass: m cos θ₂ / cos θ₁ times the mean of their squares.
@@ -83,6 +84,7 @@ pub(super) static SUM: Claim = Claim {
         judge("the whole is the sum of the diffuse and the specular part", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static SAME_FROM_EVERYWHERE: Claim = Claim {
@@ -106,6 +108,7 @@ pub(super) static SAME_FROM_EVERYWHERE: Claim = Claim {
         judge("a matt surface has one colour for all directions to the eye", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static COSINE: Claim = Claim {
@@ -133,6 +136,7 @@ pub(super) static COSINE: Claim = Claim {
         judge("c = c_r c_l cos θ", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static FACING_AWAY: Claim = Claim {
@@ -156,6 +160,7 @@ pub(super) static FACING_AWAY: Claim = Claim {
         judge("light is 0 where n·l < 0, and n·l elsewhere", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static BLACK_SHADOWS: Claim = Claim {
@@ -181,6 +186,7 @@ pub(super) static BLACK_SHADOWS: Claim = Claim {
         judge("what faces away is black, and c_r c_a with ambient light", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static ANGLE: Claim = Claim {
@@ -216,13 +222,14 @@ pub(super) static ANGLE: Claim = Claim {
         )
     },
     pictures: None,
+    versions: Some(versions::angle),
 };
 
-fn slide_lambert(degrees: f32) -> f32 {
+pub(super) fn slide_lambert(degrees: f32) -> f32 {
     degrees / 90.0
 }
 
-fn by_cosine(degrees: f32) -> f32 {
+pub(super) fn by_cosine(degrees: f32) -> f32 {
     let (sin, cos) = degrees.to_radians().sin_cos();
     lambert(Vec3::Z, vec3(sin, 0.0, cos))
 }
@@ -257,16 +264,17 @@ pub(super) static NO_FALLOFF: Claim = Claim {
         )
     },
     pictures: None,
+    versions: Some(versions::falloff),
 };
 
 /// The intensity that the model takes, at a distance from a lamp of intensity 1.
-fn slide_intensity(distance: f32) -> f32 {
+pub(super) fn slide_intensity(distance: f32) -> f32 {
     let lamp = Light::Point { position: Vec3::Z * distance, color: Rgb::ONE };
     lamp.illumination(Vec3::ZERO).map_or(0.0, |light| light.color.x)
 }
 
 /// How much of all directions a small patch takes up, seen from the lamp: its area on the unit sphere.
-fn caught(distance: f32) -> f32 {
+pub(super) fn caught(distance: f32) -> f32 {
     let corner = |x: f32, y: f32| vec3(x, y, distance).normalize();
     Triangle::new(corner(0.0, 0.0), corner(0.01, 0.0), corner(0.0, 0.01)).area()
 }
@@ -284,6 +292,7 @@ pub(super) static BETWEEN_0_AND_1: Claim = Claim {
     code: &["lighting::lit", "canvas::srgb::encode"],
     examine: between_0_and_1,
     pictures: None,
+    versions: Some(versions::between_0_and_1),
 };
 
 fn between_0_and_1() -> Examination {

@@ -11,7 +11,7 @@ use transforms::Pipeline;
 
 use super::sample::{pipeline, short, trials};
 use super::stage::SIZE;
-use super::{Claim, Examination, Trial, Verdict, judge, measured, pair, text};
+use super::{Claim, Examination, Trial, Verdict, judge, measured, pair, text, versions};
 use crate::{Drawing, Drawn};
 
 const EYE: Vec3 = Vec3::new(0.0, 0.0, 4.0);
@@ -36,7 +36,7 @@ fn view(size: (u32, u32)) -> Pipeline {
     pipeline((EYE, Vec3::ZERO), 0.6, (-1.0, -9.0), size)
 }
 
-fn sphere(level: u32) -> Mesh {
+pub(super) fn sphere(level: u32) -> Mesh {
     icosphere(level).expect("a sphere of a low level")
 }
 
@@ -71,6 +71,7 @@ pub(super) static GOURAUD_IS_AFFINE: Claim = Claim {
         judge("the colour is αc₀ + βc₁ + γc₂", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static FINER_MESH: Claim = Claim {
@@ -102,10 +103,11 @@ pub(super) static FINER_MESH: Claim = Claim {
             .noted(format!("mean error of Gouraud shading at levels 0 to 4: {}", list.join(", ")))
     },
     pictures: None,
+    versions: None,
 };
 
 /// How far the colours are from those of the exact sphere, on average over the pixels that show the mesh.
-fn mean_error(mesh: &Mesh, shading: Shading) -> f32 {
+pub(super) fn mean_error(mesh: &Mesh, shading: Shading) -> f32 {
     let frame = ball(mesh, shading, Highlight::Blinn, (60, 60));
     let objects = [Object { mesh, world_from_object: Mat4::IDENTITY, materials: &[glossy()] }];
     let (mut sum, mut count) = (0.0, 0.0_f32);
@@ -143,6 +145,7 @@ pub(super) static PHONG_SHADING: Claim = Claim {
             .noted(format!("mean error, Phong against Gouraud shading: {}", numbers.join("; ")))
     },
     pictures: None,
+    versions: None,
 };
 
 fn brightest(image: &Image) -> f32 {
@@ -173,6 +176,7 @@ pub(super) static MISSED_HIGHLIGHT: Claim = Claim {
         )
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static TWO_PHONGS: Claim = Claim {
@@ -206,6 +210,7 @@ pub(super) static TWO_PHONGS: Claim = Claim {
         judge("each shading with each highlight gives another picture", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 /// αn₀ + βn₁ + γn₂, as on the slide.
@@ -252,6 +257,7 @@ pub(super) static NOT_UNIT: Claim = Claim {
             )
     },
     pictures: Some(normals_pair),
+    versions: None,
 };
 
 const ALL_EQUAL: &str = "the three vertex normals are equal";
@@ -293,6 +299,7 @@ pub(super) static CAPTION: Claim = Claim {
     code: &["shading::Shading"],
     examine: caption,
     pictures: None,
+    versions: Some(versions::caption),
 };
 
 fn caption() -> Examination {

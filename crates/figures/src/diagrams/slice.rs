@@ -20,6 +20,9 @@ pub(super) fn tip(vector: Vec3) -> Vec2 {
     vector.truncate()
 }
 
+/// The least y that is drawn where everything lies above the surface: a little below it.
+pub(super) const LOWEST: f32 = -0.12;
+
 /// A sheet with the surface, from 1.1 at the left to 1.1 at the right, and half of the unit circle in which all unit vectors
 /// end; room for words at the right. `lowest` is the least y that must be seen.
 pub(super) fn sheet(lowest: f32) -> Sheet {
@@ -49,3 +52,8 @@ pub(super) const fn eye(degrees: f32) -> Parameter {
     };
     Parameter::number("eye", label, degrees, -85.0, 85.0)
 }
+
+/// The handle of l.
+pub(super) const THE_LIGHT: Text = Text { en: "the light", nl: "het licht" };
+/// The handle of e.
+pub(super) const THE_EYE: Text = Text { en: "the eye", nl: "het oog" };
