@@ -8,10 +8,12 @@ import { ask, busy, latest, reason } from './net.js';
 import { parametersOf } from './panel.js';
 import * as show from './show.js';
 import { sizes } from './sizes.js';
-import { T, join, same } from './words.js';
+import { T, join, same, say } from './words.js';
 
 /** So long after the last change the drawing is said aloud, in milliseconds. */
 const CALM = 700;
+/** So long a button says what it did, in milliseconds. */
+const SAID = 2500;
 
 /** One figure with everything that moves it. */
 export const figure = (place, context) => {
@@ -145,16 +147,19 @@ export const figure = (place, context) => {
   };
 };
 
-/** A button that puts the address of what is seen onto the clipboard. */
-export const copyButton = () => button(T.copy, async () => {
-  flush();
-  try {
-    await navigator.clipboard.writeText(location.href);
-    announce(T.copied);
-  } catch {
-    announce(T.notCopied);
-  }
-}, { 'data-test': 'copy', class: 'copy' });
+/** A button that puts the address of what is seen onto the clipboard, and says so for a while. */
+export const copyButton = () => {
+  let timer = null;
+  const element = button(T.copy, async () => {
+    flush();
+    const copied = await navigator.clipboard.writeText(location.href).then(() => true, () => false);
+    announce(copied ? T.copied : T.notCopied);
+    say(element.firstChild, copied ? T.copiedShort : T.notCopied);
+    clearTimeout(timer);
+    timer = setTimeout(() => say(element.firstChild, T.copy), SAID);
+  }, { 'data-test': 'copy', class: 'copy' });
+  return element;
+};
 
 /** Kinds of steps that belong to items of the lecture. */
 const STEPS = { L13: 'painter', L14: 'painter', L17: 'depth', L50: 'solve', L51: 'solve', L54: 'solve' };
