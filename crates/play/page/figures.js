@@ -19,11 +19,11 @@ const SAID = 2500;
 export const figure = (place, context) => {
   const { lecture, figure: its, values, name } = context;
   const wrong = trouble();
+  const waiting = make('p', { class: 'waiting', words: T.working });
   const size = sizes(its);
   let set = {};
   let drawings = [];
   let calm = null;
-  let sharpen = null;
   // Counts the changes made beside the drawing, so that a late answer to a drag takes nothing back.
   let version = 0;
   let left = false;
@@ -41,6 +41,7 @@ export const figure = (place, context) => {
     }
     drawings = answer.drawings;
     await grid.show(drawings);
+    waiting.hidden = true;
     panel.hands(drawings.some((d) => d.handles?.length));
     keep();
     if (!settled) return;
@@ -62,9 +63,9 @@ export const figure = (place, context) => {
       size.took(pixels, performance.now() - began);
       wrong.show(null);
       await take(answer, settled, move && before === version);
-      clearTimeout(sharpen);
-      if (settled && !sharp) sharpen = setTimeout(() => draw({ settled: true }), 0);
+      if (settled && !sharp && !draw.waits()) draw({ settled: true });
     } catch (error) {
+      waiting.hidden = true;
       wrong.show(reason(error));
     } finally {
       done();
@@ -119,7 +120,7 @@ export const figure = (place, context) => {
       also.length > 0 && make('span', { class: 'also' }, also.join(' · ')),
       tools),
     make('div', { class: `workspace${its.parameters.length || its.mine.length ? '' : ' bare'}` },
-      make('div', { class: 'picture' }, grid.element, wrong.element),
+      make('div', { class: 'picture' }, grid.element, waiting, wrong.element),
       make('div', { class: 'panel' }, panel.element, mine.control)),
     make('p', { class: 'caption', 'data-test': 'caption', words: its.caption }),
     mine.element,
@@ -140,7 +141,6 @@ export const figure = (place, context) => {
     leave: () => {
       left = true;
       clearTimeout(calm);
-      clearTimeout(sharpen);
       grid.leave();
       mine.leave();
     },
