@@ -59,8 +59,7 @@ impl Opened {
     }
 
     fn ask_within(&self, limits: Limits) -> Asked<'_> {
-        let process =
-            Process::new(&self.worker.program, 0, self.exercise, limits, self.launcher.as_ref());
+        let process = Process::new(&self.worker.program, 0, self.exercise, limits, self.launcher.as_ref());
         Asked { process, _worker: &self.worker }
     }
 

@@ -59,7 +59,9 @@ fn a_panic_is_one_reply_among_others() {
     let (opened, _bench) = opened(body);
     let turn = |theta: f32| vec![Value::Number(theta), Value::Vector(vec![0.0, 0.0])];
     let replies = opened.ask().ask(&[turn(0.0), turn(1.0), turn(0.0)]).expect("replies");
-    let [Reply::Value(_), Reply::Panicked(panic), Reply::Value(_)] = &replies[..] else { panic!("{replies:?}") };
+    let [Reply::Value(_), Reply::Panicked(panic), Reply::Value(_)] = &replies[..] else {
+        panic!("{replies:?}")
+    };
     assert_eq!(panic.message, "no turns");
 }
 
