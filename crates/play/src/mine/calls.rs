@@ -4,7 +4,7 @@ use course::{Answerer, Exercise, InProcess, Reply, Value, values};
 use glam::{Vec3, vec3};
 use serde_json::json;
 use sheet::Words;
-use vocabulary::{Ray, Triangle, ViewVolume};
+use vocabulary::ViewVolume;
 
 use super::drawing::{Drawn, words};
 use super::knobs::Knobs;
@@ -82,11 +82,6 @@ fn call(exercise: &Exercise, knobs: &Knobs<'_>) -> Option<Vec<Value>> {
             let (sin, cos) = azimuth.sin_cos();
             let to_eye = vec3(elevation.cos() * sin, elevation.sin(), elevation.cos() * cos);
             Some(arguments![-to_eye, Vec3::Y])
-        }
-        "ray_triangle_system" => {
-            let origin = vec3(knobs.get("x")?, knobs.get("y")?, knobs.get("z")?);
-            let triangle = Triangle { a: Vec3::X, b: Vec3::Y, c: Vec3::Z };
-            Some(arguments![Ray { origin, direction: Vec3::NEG_ONE }, triangle])
         }
         _ => None,
     }

@@ -41,7 +41,7 @@ use said::Trouble;
 const PATIENCE: Duration = Duration::from_secs(3);
 
 /// Makes the one who compiles.
-pub type MakeJudge = dyn Fn() -> Result<Judge, String> + Send + Sync;
+type MakeJudge = dyn Fn() -> Result<Judge, String> + Send + Sync;
 
 /// Draws figures with the student's functions.
 pub struct Mine {

@@ -1,7 +1,7 @@
 //! How does a function of the ray tracer look? Each pixel's ray is its question.
 
 use canvas::Rgb;
-use glam::{Vec2, Vec3, vec2, vec3};
+use glam::{Mat3, Vec2, Vec3, vec2, vec3};
 use vocabulary::{Ball, Basis, Lamp, MirrorBall, Ray, Sphere, Triangle, TriangleHit, ViewVolume};
 
 use super::knobs::Knobs;
@@ -83,6 +83,22 @@ pub(super) fn ray_triangle(knobs: &Knobs<'_>) -> Vec<Panel> {
     [(front, eye), (back, eye), (behind, eye), (level, Vec3::ZERO)].into_iter().map(panel).collect()
 }
 
+/// The same triangle, if each pixel's system is the given one, which we solve: where β, γ and t say that it is hit.
+pub(super) fn ray_triangle_system(knobs: &Knobs<'_>) -> Vec<Panel> {
+    // Not the origin: there a point and a direction are the same numbers.
+    let moved = vec3(knobs.or("x", 1.0), knobs.or("y", 1.0), 0.4 * knobs.or("z", 1.0)) - 1.0;
+    let eye = moved + vec3(0.2, -0.1, 0.7);
+    let triangle =
+        Triangle { a: vec3(-1.1, -0.83, -2.0), b: vec3(1.24, -0.57, -2.4), c: vec3(0.11, 1.13, -2.9) };
+    let question = move |i, j| Some(arguments![ray(SIDE, i, j, eye), triangle]);
+    let color = |_, _, (a, b): (Mat3, Vec3)| {
+        let Vec3 { x: beta, y: gamma, z: t } = a.inverse() * b;
+        let is_hit = t > 0.0 && beta >= 0.0 && gamma >= 0.0 && beta + gamma <= 1.0;
+        Some(if is_hit { nearer(t) * vec3(1.0 - beta - gamma, beta, gamma) } else { SKY })
+    };
+    vec![Panel::of_pixels((SIDE, SIDE), question, color)]
+}
+
 /// Some spheres before the eye, one through the other.
 fn spheres() -> Vec<Sphere> {
     vec![
@@ -129,6 +145,14 @@ fn seen(ray: &Ray, spheres: &[Sphere], floor: f32) -> Option<Vec3> {
     hits.min_by(f32::total_cmp).map(|t| at(ray, t))
 }
 
+/// Whether the way to the lamp neither touches a sphere nor almost does: the exercise asks of no such point, as rounding decides there.
+fn is_decided(point: Vec3, lamp: Vec3, sphere: &Sphere) -> bool {
+    let way = (lamp - point).normalize();
+    let to_center = sphere.center - point;
+    let beside = (to_center - to_center.dot(way) * way).length();
+    (beside - sphere.radius).abs() > 0.01 * sphere.radius
+}
+
 /// Balls on a floor, light where the lamp is seen.
 pub(super) fn in_shadow(knobs: &Knobs<'_>) -> Vec<Panel> {
     const EYE: Vec3 = vec3(0.0, 1.2, 6.5);
@@ -140,8 +164,11 @@ pub(super) fn in_shadow(knobs: &Knobs<'_>) -> Vec<Panel> {
         // Beyond the lamp: it hides nothing from the lamp.
         sphere(2.0 * lamp, 0.9),
     ];
-    let looked = move |i, j| ray(SIDE, i, j, EYE);
-    let question = |i, j| Some(arguments![seen(&looked(i, j), &spheres, -0.9)?, lamp, spheres.clone()]);
+    let question = |i, j| {
+        let point = seen(&ray(SIDE, i, j, EYE), &spheres, -0.9)?;
+        let is_asked = spheres.iter().all(|sphere| is_decided(point, lamp, sphere));
+        is_asked.then(|| arguments![point, lamp, spheres.clone()])
+    };
     let color = |_, _, dark: bool| Some(if dark { Rgb::splat(0.03) } else { Rgb::new(0.85, 0.78, 0.6) });
     vec![Panel::of_pixels((SIDE, SIDE), question, color)]
 }
@@ -163,7 +190,7 @@ pub(super) fn ray_color(knobs: &Knobs<'_>) -> Vec<Panel> {
     vec![Panel::of_pixels((SIDE, SIDE), question, |_, _, c: Vec3| Some(c))]
 }
 
-/// Balls that mirror each other, as often as the figure says.
+/// Balls that mirror each other, as often as the figure says, and once.
 pub(super) fn ray_color_recursive(knobs: &Knobs<'_>) -> Vec<Panel> {
     const EYE: Vec3 = vec3(0.0, 0.4, 5.0);
     let ball = |center, radius, colour, mirror| MirrorBall { sphere: sphere(center, radius), colour, mirror };
@@ -174,8 +201,12 @@ pub(super) fn ray_color_recursive(knobs: &Knobs<'_>) -> Vec<Panel> {
         ball(vec3(0.0, 1.4, -0.4), 0.45, vec3(0.5, 0.4, 0.05), 0.3),
     ];
     let depth = knobs.or("depth", 4.0).clamp(0.0, 12.0) as u32;
-    let question = |i, j| Some(arguments![ray(SIDE, i, j, EYE), balls.clone(), SKY, depth]);
-    vec![Panel::of_pixels((SIDE, SIDE), question, |_, _, c: Vec3| Some(c))]
+    // After one reflection all see the sky, which is where a wrong end of the recursion shows most.
+    let panel = |depth: u32| {
+        let question = |i, j| Some(arguments![ray(SIDE, i, j, EYE), balls.clone(), SKY, depth]);
+        Panel::of_pixels((SIDE, SIDE), question, |_, _, c: Vec3| Some(c))
+    };
+    vec![panel(depth), panel(1)]
 }
 
 /// What the rays of the window meet, a ball on a chequered floor; and where each is at t = 1, as a colour: there the pixel's centre should be.

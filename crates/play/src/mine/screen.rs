@@ -33,11 +33,12 @@ pub(super) fn covers(_: &Knobs<'_>) -> Vec<Panel> {
     triangles.into_iter().map(panel).collect()
 }
 
-/// Two triangles that share a side, one anticlockwise, one clockwise; and one that is partly off the screen, with a side at the right of its last column.
+/// Two triangles that share a side, one anticlockwise, one clockwise; and one that is partly off
+/// the screen at the other end, with a side at the right of its last column.
 pub(super) fn rasterize(_: &Knobs<'_>) -> Vec<Panel> {
     const SIZE: (u32, u32) = (18, 15);
     let sharing =
-        [triangle([1.0, 1.0], [13.0, 3.0], [4.0, 12.0]), triangle([13.0, 3.0], [4.0, 12.0], [17.0, 14.0])];
+        [triangle([1.0, 1.0], [13.0, 3.0], [4.0, 12.0]), triangle([13.0, 3.0], [4.0, 12.0], [19.5, 16.5])];
     let leaving = [triangle([-4.0, 2.25], [11.25, 2.25], [11.25, 12.25])];
     let asked = |triangles: &[Triangle2]| -> Vec<Vec<Value>> {
         triangles.iter().map(|triangle| arguments![*triangle, SIZE.0, SIZE.1]).collect()
@@ -100,7 +101,7 @@ pub(super) fn depth_at(knobs: &Knobs<'_>) -> Vec<Panel> {
 const GRID: (u32, u32) = (6, 5);
 
 /// The fragments of the slide's three polygons with these depths: two rectangles from the lower left corner, and a triangle.
-fn fragments(depths: [f32; 3]) -> Vec<Fragment> {
+fn fragments(depths: [Option<f32>; 3]) -> Vec<Fragment> {
     let corner = Vec2::splat(-0.5);
     let polygons = [
         vec![[corner, vec2(3.5, -0.5), vec2(3.5, 2.5)], [corner, vec2(3.5, 2.5), vec2(-0.5, 2.5)]],
@@ -109,6 +110,8 @@ fn fragments(depths: [f32; 3]) -> Vec<Fragment> {
     ];
     let mut fragments = Vec::new();
     for (k, (polygon, z)) in polygons.iter().zip(depths).enumerate() {
+        // One without a depth is left out.
+        let Some(z) = z else { continue };
         for corners in polygon {
             let places = (0..GRID.1).flat_map(|j| (0..GRID.0).map(move |i| (i, j)));
             let covered = places.filter(|(i, j)| is_inside(corners, vec2(*i as f32, *j as f32)));
@@ -125,12 +128,12 @@ fn is_inside(corners: &[Vec2; 3], p: Vec2) -> bool {
     sides.iter().all(|s| *s >= 0.0) || sides.iter().all(|s| *s <= 0.0)
 }
 
-/// The rgb-buffer and the z-buffer of the slide's polygons; and the same where the last polygon is as near as the first.
+/// The rgb-buffer and the z-buffer of the slide's polygons; and the first and the last alone, equally near.
 pub(super) fn zbuffer(knobs: &Knobs<'_>) -> Vec<Panel> {
     let [first, second, third] =
         [("first", 10.0), ("second", 5.0), ("third", 15.0)].map(|(name, z)| knobs.or(name, z));
     let background = vec3(0.25, 0.25, 0.3);
-    let buffers = |depths: [f32; 3], look: fn(Vec3, f32) -> Rgb| {
+    let buffers = |depths: [Option<f32>; 3], look: fn(Vec3, f32) -> Rgb| {
         let question = arguments![fragments(depths), background, GRID.0, GRID.1];
         Panel::of_all(GRID, vec![question], move |i, j, answers: &[Option<Buffers>]| {
             let cell = answers.first().and_then(Option::as_ref).and_then(|buffers| {
@@ -142,37 +145,41 @@ pub(super) fn zbuffer(knobs: &Knobs<'_>) -> Vec<Panel> {
     };
     let depth = |_, z: f32| Rgb::splat((0.05 + z / 22.0).clamp(0.0, 1.0));
     vec![
-        buffers([first, second, third], |colour, _| colour),
-        buffers([first, second, third], depth),
-        buffers([first, second, first], |colour, _| colour),
+        buffers([Some(first), Some(second), Some(third)], |colour, _| colour),
+        buffers([Some(first), Some(second), Some(third)], depth),
+        buffers([Some(first), None, Some(first)], |colour, _| colour),
     ]
 }
 
-/// Five sheets, each over a part of the next, painted in the given order; and three that hide each other in a ring, for which there is none.
+/// Five sheets, each over a part of the next, and one that stands alone, painted in the given order; and three that hide each other in a ring, for
+/// which there is none.
 pub(super) fn painters_order(_: &Knobs<'_>) -> Vec<Panel> {
     /// From the nearest to the farthest; the numbers do not give the order away.
     const NEAREST_FIRST: [usize; 5] = [3, 0, 4, 1, 2];
+    /// The one that hides nothing, and that nothing hides.
+    const ALONE: usize = 5;
     const SIDE: u32 = 40;
-    let corner = |k: usize| {
-        let place = NEAREST_FIRST.iter().position(|sheet| *sheet == k).unwrap_or(0);
-        vec2(2.0 + 4.5 * place as f32, 2.0 + 4.5 * place as f32)
+    let sheet = |k: usize| match NEAREST_FIRST.iter().position(|sheet| *sheet == k) {
+        Some(place) => Some((Vec2::splat(2.0 + 4.5 * place as f32), 16.0)),
+        None => (k == ALONE).then_some((vec2(1.0, 29.0), 9.0)),
     };
-    let sheets: Vec<usize> = NEAREST_FIRST.to_vec();
     let mut pairs = Vec::new();
-    for (k, in_front) in sheets.iter().enumerate() {
-        pairs.extend(sheets[k + 1..].iter().map(|behind| Occlusion { behind: *behind, in_front: *in_front }));
+    for (k, in_front) in NEAREST_FIRST.iter().enumerate() {
+        let hidden = &NEAREST_FIRST[k + 1..];
+        pairs.extend(hidden.iter().map(|behind| Occlusion { behind: *behind, in_front: *in_front }));
     }
     // In no particular order, as the exercise says.
     pairs.rotate_left(4);
-    let order = arguments![5_usize, pairs];
+    let order = arguments![NEAREST_FIRST.len() + 1, pairs];
     let painted = move |i: u32, j: u32, answers: &[Option<Option<Vec<usize>>>]| {
         let Some(Some(order)) = answers.first() else { return Dot::Missing };
         let Some(order) = order else { return Dot::Color(EMPTY) };
         let p = vec2(i as f32, j as f32);
-        let here = |k: &&usize| {
-            **k < 5 && (p - corner(**k)).min_element() >= 0.0 && (p - corner(**k)).max_element() < 16.0
+        let is_on = |(corner, side): (Vec2, f32)| {
+            (p - corner).min_element() >= 0.0 && (p - corner).max_element() < side
         };
-        Dot::Color(order.iter().rev().find(here).map_or(Rgb::splat(0.04), |k| tint(*k)))
+        let last = order.iter().rev().find(|k| sheet(**k).is_some_and(is_on));
+        Dot::Color(last.map_or(Rgb::splat(0.04), |k| tint(*k)))
     };
     let ring = (0..3).map(|k| Occlusion { behind: k, in_front: (k + 1) % 3 }).collect::<Vec<_>>();
     // Beside the ring stands a sheet that nothing hides.

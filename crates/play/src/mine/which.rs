@@ -81,6 +81,7 @@ pub(super) fn panels(exercise: &Exercise, knobs: &Knobs<'_>) -> Vec<Panel> {
         "painters_order" => screen::painters_order,
         "ray_sphere" => rays::ray_sphere,
         "ray_triangle" => rays::ray_triangle,
+        "ray_triangle_system" => rays::ray_triangle_system,
         "nearest_hit" => rays::nearest_hit,
         "in_shadow" => rays::in_shadow,
         "ray_color" => rays::ray_color,
