@@ -37,8 +37,13 @@ const find = (name, values) => {
   return byNumber ? { view: claims, claim: byNumber } : { view: unknown };
 };
 
+/** Counts the views, so that one that was left no longer writes the address. */
+let turn = 0;
+
 const route = () => {
   address.forget();
+  turn += 1;
+  const its = turn;
   const { name, values } = address.read();
   const found = find(name, values);
   current?.leave?.();
@@ -50,15 +55,15 @@ const route = () => {
     values,
     ...found,
     /** Keeps the state in the address; another name for it may be given. */
-    keep: (state, as = name) => address.replace(as, state),
+    keep: (state, as = name) => { if (its === turn) address.replace(as, state); },
     go: (hash) => { location.hash = hash; },
   };
   current = found.view(place, context) ?? {};
   show.attach(current.show);
   titled();
   for (const link of document.querySelectorAll('#views a')) {
-    const its = link.hash.replace(/^#/, '').split('?')[0];
-    const here = VIEWS[its] === found.view || (its === '' && found.view === figure);
+    const to = link.hash.replace(/^#/, '');
+    const here = VIEWS[to] === found.view || (to === '' && found.view === figure);
     if (here) link.setAttribute('aria-current', 'page');
     else link.removeAttribute('aria-current');
   }

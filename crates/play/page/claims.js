@@ -24,6 +24,7 @@ const trial = (claim, firstVersion, onversion) => {
   let version = VERSIONS.includes(firstVersion) ? firstVersion : 'slide';
   let answer = null;
   let state = 'waiting';
+  let wanted = false;
   const wrong = trouble();
   const verdict = make('span', { class: 'verdict-place', 'aria-live': 'polite', 'data-test': 'verdict' });
   const evidence = make('ul', { class: 'evidence' });
@@ -55,28 +56,36 @@ const trial = (claim, firstVersion, onversion) => {
     element.classList.toggle('pictured', seen.length > 0);
     if (seen.length) await grid.show(seen);
   };
+  const clear = () => {
+    verdict.removeAttribute('data-say-en');
+    verdict.removeAttribute('data-say-nl');
+    verdict.replaceChildren();
+  };
   const choose = (name) => {
     version = name;
     paint();
     onversion(version);
   };
   const run = () => {
+    wanted = true;
     if (state !== 'waiting') return;
     state = 'running';
     runner.hidden = true;
     say(verdict, T.working);
     inLine(async () => {
-      if (!element.isConnected) {
+      // Whoever scrolled on waits for what is in sight now.
+      if (!wanted || !element.isConnected) {
         state = 'waiting';
+        runner.hidden = false;
+        clear();
         return;
       }
       const done = busy();
       try {
         answer = found.get(claim.stem) ?? await ask('/api/claim', { claim: claim.stem });
         found.set(claim.stem, answer);
-        verdict.removeAttribute('data-say-en');
-        verdict.removeAttribute('data-say-nl');
-        verdict.replaceChildren(make('span', { class: `verdict ${answer.class}`, words: answer.verdict }),
+        clear();
+        verdict.append(make('span', { class: `verdict ${answer.class}`, words: answer.verdict }),
           ...(answer.expected ? [] : [make('span', { class: 'unexpected', words: T.unexpected })]));
         evidence.replaceChildren(...(answer.evidence ?? []).map((text) => make('li', typeof text === 'object' ? { words: text } : { lang: 'en' }, typeof text === 'object' ? null : text)));
         versions.hidden = !(claim.erratum && (answer.slide || answer.right || (answer.drawings ?? []).length > 1));
@@ -85,7 +94,7 @@ const trial = (claim, firstVersion, onversion) => {
       } catch (error) {
         state = 'waiting';
         runner.hidden = false;
-        verdict.replaceChildren();
+        clear();
         wrong.show(reason(error));
       } finally {
         done();
@@ -106,6 +115,7 @@ const trial = (claim, firstVersion, onversion) => {
   return {
     element,
     run,
+    rest: () => { wanted = false; },
     claim,
     flip: () => { if (!versions.hidden) choose(version === 'slide' ? 'right' : 'slide'); },
     leave: grid.leave,
@@ -121,7 +131,11 @@ export const claims = (place, context) => {
     if (asked) context.keep({ claim: claim.stem, version }, name);
   }));
   const observer = new IntersectionObserver((entries) => {
-    for (const entry of entries) if (entry.isIntersecting) trials.find((t) => t.element === entry.target)?.run();
+    for (const entry of entries) {
+      const its = trials.find((t) => t.element === entry.target);
+      if (entry.isIntersecting) its.run();
+      else its.rest();
+    }
   }, { rootMargin: '120px' });
   trials.forEach((t) => observer.observe(t.element));
 

@@ -24,6 +24,7 @@ export const figure = (place, context) => {
   let sharpen = null;
   // Counts the changes made beside the drawing, so that a late answer to a drag takes nothing back.
   let version = 0;
+  let left = false;
 
   const keep = () => {
     const changed = Object.fromEntries(its.parameters.filter((p) => set[p.name] !== p.default).map((p) => [p.name, Number(set[p.name].toPrecision(6))]));
@@ -55,6 +56,7 @@ export const figure = (place, context) => {
       const answer = await (move
         ? ask('/api/drag', { ...asked, drawing: move.drawing, handle: move.handle, to: move.to })
         : ask('/api/figure', asked));
+      if (left) return;
       size.took(pixels, performance.now() - began);
       wrong.show(null);
       await take(answer, settled, move && before === version);
@@ -134,6 +136,7 @@ export const figure = (place, context) => {
       End: () => step(lecture.figures.length - 1),
     },
     leave: () => {
+      left = true;
       clearTimeout(calm);
       clearTimeout(sharpen);
       grid.leave();

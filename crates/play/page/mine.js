@@ -30,7 +30,7 @@ export const mineSwitch = (figure, lecture, first, values, onchange) => {
   const file = make('p', { class: 'file' });
   const detail = make('pre', { tabindex: 0 });
   const compiler = make('details', { open: true }, make('summary', { words: T.compiler }), detail);
-  const grid = drawingGrid({ test: 'mine-drawings', room: () => (isOn() ? window.innerHeight * 0.5 : Infinity) });
+  const grid = drawingGrid({ test: 'mine-drawings', room: () => (window.innerWidth < 640 ? Infinity : window.innerHeight * (isOn() ? 0.5 : 0.8)) });
   const element = make('section', { class: 'mine', label: T.mineLead },
     make('h2', { words: T.mine }), state, message, grid.element, compiler, file, wrong.element);
 

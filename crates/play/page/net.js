@@ -31,16 +31,24 @@ export const reason = (error) => {
   return error instanceof Refused ? error.words : same(error?.message ?? error);
 };
 
+/** The server says so when too much is asked of it at once: then it is asked again, after a pause in milliseconds. */
+const FULL = 503;
+const TRIES = 4;
+const PAUSE = 400;
+
 const send = async (path, body, signal) => {
   const asked = body === undefined
     ? { signal }
     : { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(body), signal };
   let answer;
-  try {
-    answer = await fetch(path, asked);
-  } catch (error) {
-    if (error.name === 'AbortError') throw error;
-    throw new Refused(T.gone, 0);
+  for (let tries = 0; tries < TRIES && (!answer || answer.status === FULL); tries += 1) {
+    if (answer) await new Promise((resolve) => { setTimeout(resolve, PAUSE); });
+    try {
+      answer = await fetch(path, asked);
+    } catch (error) {
+      if (error.name === 'AbortError') throw error;
+      throw new Refused(T.gone, 0);
+    }
   }
   if (answer.ok) return answer;
   const said = await answer.json().catch(() => null);

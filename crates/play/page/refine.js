@@ -8,6 +8,8 @@ const COARSE = [8, 4, 2];
 const SAMPLES = [1, 2, 3];
 /** A band of rows should take so long, in microseconds: a change waits no longer. */
 const BAND = 60_000;
+/** A band has at least so many rows: what each request costs by itself is not to be paid for every row. */
+const LEAST_ROWS = 12;
 /** So long after a change the first coarse picture is asked for, in milliseconds. */
 const PAUSE = 90;
 
@@ -28,19 +30,21 @@ export const refiner = ({ put, progress, failed }) => {
     const question = (more) => frame({ look: wanted, renderer: 'raytrace', scale: 1, rows: null, samples: 1, ...more }, signal);
     const told = (picture, more) => progress({ micros: picture.micros, notes: picture.notes, elapsed: performance.now() - began, over: false, ...more });
     let perRow = null;
-    for (const scale of COARSE) {
+    // Depths, normals and counts have no light in them, and nothing to average: they come at once.
+    const plain = wanted.show !== 'color';
+    for (const scale of plain ? [COARSE[0], 1] : COARSE) {
       const picture = await question({ scale });
       if (mine !== generation) return;
       put(picture, scale);
-      told(picture, { scale, samples: 1, part: 1 });
+      told(picture, { scale, samples: 1, part: 1, over: plain && scale === 1 });
       // A full row has `scale` times as many pixels as a coarse one.
       perRow = (picture.micros / Math.max(1, picture.height)) * scale;
     }
-    for (const samples of SAMPLES) {
+    for (const samples of plain ? [] : SAMPLES) {
       let perBand = Math.max(1, perRow * samples * samples);
       let row = 0;
       while (row < wanted.height) {
-        const rows = Math.min(wanted.height - row, Math.max(4, Math.round(BAND / perBand)));
+        const rows = Math.min(wanted.height - row, Math.max(LEAST_ROWS, Math.round(BAND / perBand)));
         const picture = await question({ rows: [row, row + rows], samples });
         if (mine !== generation) return;
         put(picture, 1);

@@ -8,7 +8,7 @@ import { ask, busy, latest, reason } from './net.js';
 import { parameterRow } from './parameters.js';
 import * as show from './show.js';
 import { matrix } from './tables.js';
-import { T, join, same, say } from './words.js';
+import { T, join, number, same, say } from './words.js';
 
 const KINDS = { depth: T.depthKind, painter: T.painterKind, solve: T.solveKind };
 const HOWS = ['cramer', 'inverse', 'elimination'];
@@ -50,6 +50,7 @@ const shown = async (step) => {
   const system = step.matrix && [matrix(step.matrix, step.rhs, step.marked)];
   if (system) parts.push(make('div', { class: 'system' }, system));
   if (step.lines?.length) parts.push(make('ul', { class: 'lines' }, step.lines.map((words) => make('li', { words }))));
+  if (step.solution) parts.push(make('p', { class: 'lines' }, step.solution.map((x, k) => `${['β', 'γ', 't'][k]} = ${number(x)}`).join('   ')));
   return parts;
 };
 

@@ -12,7 +12,7 @@ const SIDE = 9;
 const LONG = 6;
 
 const yesNo = (is) => (is === null || is === undefined ? same('–') : is ? T.yes : T.no);
-const triangleOf = (test) => join([test.name ?? same(`${test.object}`), same(`#${test.triangle}`)], ' ');
+const triangleOf = (test) => test.name ?? same(`${test.object} #${test.triangle}`);
 
 /** A part of the story under its title; long ones are folded. */
 const part = (words, content, folded = false) => (folded
@@ -51,7 +51,12 @@ const light = (shading) => shading && part(T.light, [
     ...(shading.terms ?? []).map((term) => ({ cells: [term.name, make('code', {}, term.formula ?? ''), term.numbers ?? same(''), vector(term.value)] })),
     { kind: 'sum', cells: [T.sum, '', same(''), vector(shading.sum)] },
   ]),
+  corners(shading.corners),
 ]);
+
+/** What a corner contributes, where light is computed at corners. */
+const corners = (list) => (list?.length ? part(T.corners, table(T.corners, [T.corner, T.weight, T.point, T.normal, T.value],
+  list.map((c) => ({ cells: [typeof c.name === 'object' ? c.name : same(c.name), number(c.weight), vector(c.point), vector(c.normal), vector(c.color)] }))), true) : null);
 
 const column = (name, its, content) => make('section', { class: 'column', 'data-story': name, label: T[name] },
   make('h3', { words: T[name] }),
