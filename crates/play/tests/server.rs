@@ -117,7 +117,10 @@ fn other_hosts_and_other_origins_are_turned_away() {
         "X-No-Host: 1".to_owned(),
     ] {
         for path in ["/", "/api/lecture", "/page/app.js"] {
-            let answer = raw(&server, format!("GET {path} HTTP/1.1\r\n{head}\r\nConnection: close\r\n\r\n").as_bytes());
+            let answer = raw(
+                &server,
+                format!("GET {path} HTTP/1.1\r\n{head}\r\nConnection: close\r\n\r\n").as_bytes(),
+            );
             assert_eq!(status(&answer), 403, "{head} {path}: {answer}");
             assert!(!answer.contains(&server.address("")[8..]), "the key is told");
         }
@@ -159,7 +162,8 @@ fn what_is_malformed_is_refused_and_the_server_lives_on() {
         (0..=255).collect(),
         long_head.into_bytes(),
         torn_body.into_bytes(),
-        format!("GET /../../../etc/passwd HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n").into_bytes(),
+        format!("GET /../../../etc/passwd HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n")
+            .into_bytes(),
         format!("GET /page/../lib.rs HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n").into_bytes(),
     ] {
         let answer = raw(&server, &bytes);
@@ -250,7 +254,11 @@ fn a_taken_port_means_the_next_free_one() {
     let taken = TcpListener::bind(("127.0.0.1", 0)).unwrap();
     let port = taken.local_addr().unwrap().port();
     let server = Server::start(port, mine(), None).unwrap();
-    assert!(server.port() > port && server.port() <= port.saturating_add(100), "{} after {port}", server.port());
+    assert!(
+        server.port() > port && server.port() <= port.saturating_add(100),
+        "{} after {port}",
+        server.port()
+    );
     assert!(server.address("L31?p=64").ends_with("#L31?p=64"));
 }
 

@@ -43,10 +43,6 @@ const PATIENCE: Duration = Duration::from_secs(3);
 /// Makes the one who compiles.
 type MakeJudge = dyn Fn() -> Result<Judge, String> + Send + Sync;
 
-use course::Exercise;
-use figures::{Figure, Values};
-use serde_json::Value as Json;
-
 /// Draws figures with the student's functions.
 pub struct Mine {
     exercises: PathBuf,
