@@ -26,22 +26,25 @@ fn pipeline((width, height): (u32, u32)) -> Result<Pipeline, Fault> {
     Ok(Pipeline::new(camera, ViewVolume::from_fov_y(fov, aspect, -1.0, -9.0)?, width, height)?)
 }
 
-/// A picture of the ball with a colour for each normal and direction to the eye.
-pub(crate) fn picture(
+/// Pictures of the ball that differ in the colours which each normal and direction to the eye has; the rays are the same.
+pub(crate) fn pictures<const COUNT: usize>(
     (width, height): (u32, u32),
-    mut color: impl FnMut(Vec3, Vec3) -> Rgb,
-) -> Result<Image, Fault> {
+    mut colors: impl FnMut(Vec3, Vec3) -> [Rgb; COUNT],
+) -> Result<[Image; COUNT], Fault> {
     let (width, height) = (FINER * width, FINER * height);
     let pipeline = pipeline((width, height))?;
     let unit = Sphere::new(Vec3::ZERO, 1.0);
-    let image = Image::from_fn(width, height, |i, j| {
+    let mut images = [(); COUNT].map(|()| Image::new(width, height, BESIDE));
+    for (i, j) in (0..height).flat_map(|j| (0..width).map(move |i| (i, j))) {
         let ray = viewing_ray(&pipeline, i as f32, j as f32);
-        match sphere::intersect(&ray, &unit, 0.0, f32::INFINITY) {
-            Some(t) => color(ray.at(t).normalize(), -ray.direction.normalize()),
-            None => BESIDE,
+        if let Some(t) = sphere::intersect(&ray, &unit, 0.0, f32::INFINITY) {
+            let colors = colors(ray.at(t).normalize(), -ray.direction.normalize());
+            for (image, color) in images.iter_mut().zip(colors) {
+                image.set(i, j, color);
+            }
         }
-    });
-    Ok(image.box_downsampled(FINER))
+    }
+    Ok(images.map(|image| image.box_downsampled(FINER)))
 }
 
 /// Where the point of the ball that faces a direction lies in the picture.

@@ -46,10 +46,15 @@ fn usual(figure: &Figure) -> Values {
 /// A handle of a figure: drawing and handle, counted from 0.
 type Which = (&'static Figure, usize, usize);
 
-fn handle(which: Which, values: &Values) -> Handle {
+/// `None` where nothing is to be seen of it for these values: a shadow behind the eye.
+fn visible(which: Which, values: &Values) -> Option<Handle> {
     let (figure, drawing, handle) = which;
     let lists = (figure.handles)(values).unwrap_or_else(|error| panic!("{}: {error}", figure.stem()));
-    lists[drawing].handles[handle].clone()
+    lists[drawing].handles.get(handle).cloned()
+}
+
+fn handle(which: Which, values: &Values) -> Handle {
+    visible(which, values).unwrap_or_else(|| panic!("{} has no such handle", which.0.stem()))
 }
 
 /// The drawing's width and height as shares of the longer one: places times this are as far apart as the eye sees them.
@@ -170,7 +175,7 @@ fn a_handle_that_is_dragged_to_where_it_is_stays() {
         let moves = handle(which, &usual(figure)).moves;
         for _ in 0..TRIALS {
             let values = random.values(figure, &moves, &usual(figure));
-            let at = handle(which, &values).at;
+            let Some(Handle { at, .. }) = visible(which, &values) else { continue };
             let after = dragged(which, &values, at);
             for parameter in figure.parameters {
                 let change = after.number(parameter.name) - values.number(parameter.name);
@@ -194,7 +199,10 @@ fn a_handle_reaches_every_place_that_it_can_have() {
         for _ in 0..TRIALS {
             let from = random.values(figure, &names, &usual);
             let to = random.values(figure, &moves, &from);
-            let place = handle(which, &to).at;
+            let (Some(_), Some(Handle { at: place, .. })) = (visible(which, &from), visible(which, &to))
+            else {
+                continue;
+            };
             let after = dragged(which, &from, place);
             let distance = handle(which, &after).at.distance(place);
             if distance > 0.01 {

@@ -2,12 +2,12 @@
 
 use std::error::Error;
 
-use canvas::{Image, Rgb};
+use canvas::Rgb;
 use glam::{Vec2, Vec3, vec2};
 use lighting::{Highlight, Light, Material, SurfacePoint, lambert, lit};
 use sheet::crowd::Vector;
 use sheet::text::{decimal, degrees};
-use sheet::{Ink, Letters, Sheet, Side};
+use sheet::{Ink, Letters, Side};
 
 use super::slice::{self, N, THE_LIGHT, WORDS, direction, tip};
 use crate::ball;
@@ -30,10 +30,13 @@ pub(super) static FIGURE: Figure = Figure {
         0.0,
         180.0,
     )],
-    size: (360, 360),
+    size: (300, 300),
     draw,
     handles,
 };
+
+/// All directions are seen, those below the surface too.
+const LOWEST: f32 = -1.12;
 
 /// The colour of the ball; the lamp is white.
 const CLAY: Rgb = Rgb::new(0.85, 0.55, 0.3);
@@ -51,12 +54,7 @@ fn handles(values: &Values) -> Handled {
     let (size, l) = (values.size(), direction(values.number("theta")));
     let facing = ball::place(size, l)?;
     let ball = || ball::handles(size).and(THE_LIGHT, &["theta"], facing);
-    Ok(vec![Handles::on(&sheet(), [(THE_LIGHT, &["theta"], tip(l))]), ball(), ball(), ball()])
-}
-
-/// All directions are seen, those below the surface too.
-fn sheet() -> Sheet {
-    slice::sheet(-1.12)
+    Ok(vec![Handles::on(&slice::paper(LOWEST), [(THE_LIGHT, &["theta"], tip(l))]), ball(), ball(), ball()])
 }
 
 /// The vectors at one point of the surface.
@@ -64,7 +62,7 @@ fn vectors(theta: f32) -> Drawing {
     let l = direction(theta);
     let product = N.dot(l);
     let (ink, sign) = if product < 0.0 { (Ink::D, "n·l < 0") } else { (Ink::C, "n·l") };
-    let mut sheet = sheet();
+    let mut sheet = slice::sheet(LOWEST);
     let foot = vec2(0.0, product);
     sheet.line(tip(l), foot, ink.pen().dashed());
     sheet.vectors(Vec2::ZERO, &[Vector::new("n", tip(N), Ink::B), Vector::new("l", tip(l), Ink::A)]);
@@ -96,15 +94,13 @@ fn vectors(theta: f32) -> Drawing {
 /// A ball under the lamp alone, and with ambient light: by the product as it is, and by the model.
 fn balls(size: (u32, u32), l: Vec3) -> Result<[Drawing; 3], Box<dyn Error + Send + Sync>> {
     let lamp = Light::Directional { to_light: l, color: LAMP };
-    let by_the_model = |lights: &[Light]| -> Result<Image, _> {
-        ball::picture(size, |n, to_eye| {
-            let at = SurfacePoint { p_world: n, n, to_eye };
-            lit(&Material::matt(CLAY), lights, Highlight::Phong, &at, |_| true)
-        })
-    };
-    let alone = by_the_model(&[lamp])?;
-    let with_max = by_the_model(&[lamp, Light::Ambient { color: AMBIENT }])?;
-    let without_max = ball::picture(size, |n, _| CLAY * (AMBIENT + LAMP * n.dot(l)))?;
+    let both = [lamp, Light::Ambient { color: AMBIENT }];
+    let [alone, without_max, with_max] = ball::pictures(size, |n, to_eye| {
+        let at = SurfacePoint { p_world: n, n, to_eye };
+        let by_the_model =
+            |lights: &[Light]| lit(&Material::matt(CLAY), lights, Highlight::Phong, &at, |_| true);
+        [by_the_model(&[lamp]), CLAY * (AMBIENT + LAMP * n.dot(l)), by_the_model(&both)]
+    })?;
     Ok([
         Drawing::picture(
             "lamp-alone",
@@ -131,4 +127,44 @@ fn balls(size: (u32, u32), l: Vec3) -> Result<[Drawing; 3], Box<dyn Error + Send
             with_max,
         ),
     ])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::Content;
+
+    fn drawn(theta: f32) -> Vec<Drawing> {
+        let mut values = Values::of(&FIGURE);
+        values.set_size(64, 48).unwrap();
+        values.set("theta", theta).unwrap();
+        draw(&values).unwrap()
+    }
+
+    /// The colour of a drawing at a share of its width and height, from the top left corner.
+    fn color(drawing: &Drawing, at: Vec2) -> Rgb {
+        let Content::Picture(image) = &drawing.content else { panic!("{} is no picture", drawing.name) };
+        let pixel = (at * vec2(64.0, 48.0)).as_uvec2();
+        image.pixels()[(pixel.y * 64 + pixel.x) as usize]
+    }
+
+    #[test]
+    fn without_max_the_other_light_is_taken_away() {
+        let drawings = drawn(125.0);
+        // Inside the ball, on the far side of its middle from the light.
+        let away = Vec2::ONE - drawings[1].handles[0].at;
+        let away = away.lerp(Vec2::splat(0.5), 0.2);
+        assert_eq!(color(&drawings[1], away), Rgb::ZERO);
+        assert!(color(&drawings[2], away).max_element() < 0.0, "less than no light");
+        assert_eq!(color(&drawings[3], away), CLAY * AMBIENT);
+    }
+
+    #[test]
+    fn a_dragged_light_changes_the_shading() {
+        let (behind, above) = (drawn(150.0), drawn(20.0));
+        // Above the middle of the ball is the n of the diagram.
+        let top = vec2(0.5, 0.2);
+        assert_eq!(color(&behind[1], top), Rgb::ZERO);
+        assert!(color(&above[1], top).min_element() > 0.1);
+    }
 }

@@ -7,7 +7,7 @@ use sheet::crowd::Vector;
 use sheet::text::{decimal, degrees};
 use sheet::{Ink, Letters, Side};
 
-use super::slice::{LOWEST, N, THE_LIGHT, WORDS, direction, sheet, tip};
+use super::slice::{LOWEST, N, THE_LIGHT, WORDS, direction, paper, sheet, tip};
 use crate::ball;
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::handle::{Handled, Handles, with_handles};
@@ -28,7 +28,7 @@ pub(super) static FIGURE: Figure = Figure {
         0.0,
         90.0,
     )],
-    size: (360, 360),
+    size: (300, 300),
     draw,
     handles,
 };
@@ -66,7 +66,7 @@ fn draw(values: &Values) -> Drawn {
         ),
     );
     let diagram = Drawing::diagram("vectors", alt.clone(), sheet.svg(&alt));
-    let ball = ball::picture(values.size(), |n, _| Rgb::splat(lambert(n, l)))?;
+    let [ball] = ball::pictures(values.size(), |n, _| [Rgb::splat(lambert(n, l))])?;
     let alt = Text {
         en: "A white matt ball under this light: brightest where it faces the light, black from 90° on.",
         nl: "Een witte matte bol onder dit licht: het helderst waar hij naar het licht wijst, zwart vanaf 90°.",
@@ -77,5 +77,5 @@ fn draw(values: &Values) -> Drawn {
 fn handles(values: &Values) -> Handled {
     let l = direction(values.number("theta"));
     let ball = ball::handles(values.size()).and(THE_LIGHT, &["theta"], ball::place(values.size(), l)?);
-    Ok(vec![Handles::on(&sheet(LOWEST), [(THE_LIGHT, &["theta"], tip(l))]), ball])
+    Ok(vec![Handles::on(&paper(LOWEST), [(THE_LIGHT, &["theta"], tip(l))]), ball])
 }

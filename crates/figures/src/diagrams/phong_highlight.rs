@@ -6,7 +6,7 @@ use sheet::crowd::Vector;
 use sheet::text::{decimal, degrees};
 use sheet::{Ink, Sheet};
 
-use super::slice::{self, LOWEST, N, THE_EYE, THE_LIGHT, WORDS, direction, sheet, tip};
+use super::slice::{self, LOWEST, N, THE_EYE, THE_LIGHT, WORDS, direction, paper, sheet, tip};
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::handle::{Handled, Handles, with_handles};
 use crate::parameter::{Parameter, Values};
@@ -102,5 +102,5 @@ fn handles(values: &Values) -> Handled {
         (THE_EYE, &["eye"], tip(e)),
         (brightness, &["p"], tip(phong_highlight(N, l, e, p) * e)),
     ];
-    Ok(vec![Handles::on(&sheet(LOWEST), list)])
+    Ok(vec![Handles::on(&paper(LOWEST), list)])
 }

@@ -38,12 +38,11 @@ pub(super) static FIGURE: Figure = Figure {
 fn draw(values: &Values) -> Drawn {
     let (p, to_light) = (values.number("p"), to_light(values.number("light")));
     let mut least = f32::INFINITY;
-    let first = ball::picture(values.size(), |n, to_eye| {
+    let [first, phong] = ball::pictures(values.size(), |n, to_eye| {
         let value = to_eye.dot(reflect(n, to_light));
         least = least.min(value);
-        shown(value)
+        [shown(value), shown(phong_highlight(n, to_light, to_eye, p))]
     })?;
-    let phong = ball::picture(values.size(), |n, to_eye| shown(phong_highlight(n, to_light, to_eye, p)))?;
     let drawings = vec![
         Drawing::picture(
             "attempt",

@@ -2,7 +2,6 @@
 
 use glam::{Vec2, Vec3, vec2, vec3};
 use scene::{Renderer, Settings};
-use sheet::crowd::Vector;
 use sheet::text::triple;
 use sheet::view::View;
 use sheet::{Ink, Letters, Sheet, Side};
@@ -41,9 +40,10 @@ pub(super) static FIGURE: Figure = Figure {
 const EYE: Vec3 = vec3(1.5, 3.4, 8.0);
 const TARGET: Vec3 = vec3(0.0, 0.7, 0.0);
 const FOV: f32 = 36.0;
-/// The red ball.
+/// The red ball, whose top throws the shadow that can be taken.
 const BALL: Vec3 = vec3(-0.6, 0.9, 0.5);
 const RADIUS: f32 = 0.9;
+const TOP: Vec3 = vec3(BALL.x, BALL.y + RADIUS, BALL.z);
 
 fn draw(values: &Values) -> Drawn {
     let lamp = lamp(values);
@@ -124,7 +124,7 @@ fn lamp(values: &Values) -> Vec3 {
     ["x", "y", "z"].map(|axis| values.number(axis)).into()
 }
 
-/// The lamp is beside the picture, so there it is taken by the shadow of the ball; from outside by itself and by the place
+/// The lamp is beside the picture, so there it is taken by the shadow of the ball's top; from outside by itself and by the place
 /// below it.
 fn handles(values: &Values) -> Handled {
     let (lamp, (width, height)) = (lamp(values), values.size());
@@ -132,9 +132,8 @@ fn handles(values: &Values) -> Handled {
     // Near and far do not matter to where something is seen.
     let volume = ViewVolume::from_fov_y(FOV.to_radians(), aspect, -1.0, -100.0)?;
     let pipeline = Pipeline::new(Camera::look_at(EYE, TARGET, Vec3::Y)?, volume, width, height)?;
-    let shadow = in_picture(&pipeline, shadow(lamp)).ok_or("a shadow behind the eye")?;
     let size = vec2(width as f32, height as f32);
-    let name = Text { en: "the shadow of the ball", nl: "de schaduw van de bol" };
+    let name = Text { en: "the shadow of the ball's top", nl: "de schaduw van de top van de bol" };
     let view = outside()?;
     let list: [(Text, &[&str], Vec2); 2] = [
         (Text { en: "the light", nl: "het licht" }, &["x", "y"], view.at(lamp)),
@@ -146,15 +145,19 @@ fn handles(values: &Values) -> Handled {
     ];
     Ok(vec![
         Handles::none(size),
-        Handles::none(size).and(name, &["x", "z"], shadow),
+        // A low lamp at the back throws the shadow behind the eye; then there is nothing to take.
+        match in_picture(&pipeline, shadow(lamp)) {
+            Some(shadow) => Handles::none(size).and(name, &["x", "z"], shadow),
+            None => Handles::none(size),
+        },
         Handles::on(&sheet(&view), list),
     ])
 }
 
-/// Where the shadow of the ball's centre falls: the lamp is always higher.
+/// Where the shadow of the ball's top falls: the lamp is always higher.
 fn shadow(lamp: Vec3) -> Vec3 {
-    let down = lamp.y / (lamp.y - BALL.y);
-    on_the_floor(lamp + down * (BALL - lamp))
+    let down = lamp.y / (lamp.y - TOP.y);
+    on_the_floor(lamp + down * (TOP - lamp))
 }
 
 fn on_the_floor(p: Vec3) -> Vec3 {
@@ -191,27 +194,28 @@ fn from_outside(lamp: Vec3) -> Result<Drawing, Fault> {
     sheet.circle(at(BALL), RADIUS, Ink::B.pen());
     let (foot, shadow) = (on_the_floor(lamp), shadow(lamp));
     sheet.line(at(foot), at(lamp), Ink::Faint.pen().dashed());
-    sheet.line(at(lamp), at(BALL), Ink::A.pen());
-    sheet.line(at(BALL), at(shadow), Ink::D.pen().dashed());
+    sheet.line(at(lamp), at(TOP), Ink::A.pen());
+    sheet.line(at(TOP), at(shadow), Ink::D.pen().dashed());
     sheet.dot(at(foot), Ink::Faint);
     sheet.dot(at(shadow), Ink::D);
     sheet.dot(at(lamp), Ink::A);
-    // The picture's eye, and which way it looks.
-    sheet.vectors(
-        at(EYE),
-        &[Vector::new("", at(EYE + 2.0 * (TARGET - EYE).normalize()), Ink::Main)
-            .called("the eye looks", "het oog kijkt")],
-    );
     sheet.label(at(lamp), Side::Right, Words::new("light", "licht"), Letters::Plain, Ink::A);
+    sheet.label(
+        at(shadow),
+        Side::BelowRight,
+        Words::new("its shadow", "zijn schaduw"),
+        Letters::Plain,
+        Ink::D,
+    );
     sheet.label(at(BALL), Side::Middle, Words::new("ball", "bol"), Letters::Plain, Ink::B);
     let alt = Words::new(
         format!(
-            "From outside: the light at {} above the floor, and the way from it through the ball to its shadow at {}.",
+            "From outside: the light at {} above the floor, and the way from it past the top of the ball to its shadow at {}.",
             triple(lamp),
             triple(shadow)
         ),
         format!(
-            "Van buiten: het licht op {} boven de vloer, en de weg ervan door de bol naar zijn schaduw op {}.",
+            "Van buiten: het licht op {} boven de vloer, en de weg ervan langs de top van de bol naar zijn schaduw op {}.",
             triple(lamp),
             triple(shadow)
         ),

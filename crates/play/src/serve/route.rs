@@ -144,7 +144,9 @@ async fn post(shared: &Arc<Shared>, path: String, request: Request<Incoming>) ->
         "/api/steps" => compute(shared, request, |shared, asked| steps::steps(&shared.stage, &asked)).await,
         "/api/mine" => {
             trusted(shared, &request)?;
-            compute(shared, request, |shared, asked| api::mine::draw(&shared.mine, &asked)).await
+            let asked = body(request).await?;
+            let drawn = shared.ask(move |shared| api::mine::draw(&shared.mine, &asked)).await;
+            Ok(answer::json(&drawn.map_err(Problem::Busy)??))
         }
         "/api/frame" => {
             let asked = body(request).await?;

@@ -73,11 +73,11 @@ pub(in super::super) fn returns_no_t() -> [Version; 2] {
 pub(in super::super) fn beyond_the_lamp() -> [Version; 2] {
     let (slide, right) = lamp_and_wall(&mut Sequence::new(124), 2.0, Some(4.5));
     let under = |says: Words, is_lit: bool| {
-        let [en, nl] = if is_lit { ["lit", "verlicht"] } else { ["in shadow", "in schaduw"] };
+        let [en, nl] = if is_lit { ["lit", "is verlicht"] } else { ["in shadow", "ligt in schaduw"] };
         version(
             says,
             format!("a lamp 2 above the floor, a wall 4.5 above it: the floor is {en}"),
-            format!("een lamp 2 boven de vloer, een muur 4.5 erboven: de vloer ligt {nl}"),
+            format!("een lamp 2 boven de vloer, een muur 4.5 erboven: de vloer {nl}"),
         )
     };
     let ours = Words::new("p + t·l with t up to the lamp", "p + t·l met t tot aan de lamp");
@@ -132,8 +132,8 @@ pub(in super::super) fn shaded_again() -> [Version; 2] {
         let layers = order.len();
         version(
             says,
-            format!("{layers} layers over a pixel, from back to front: {count} colours computed"),
-            format!("{layers} lagen over een pixel, van achter naar voren: {count} kleuren berekend"),
+            format!("{layers} layers over a pixel, from back to front; colours computed: {count}"),
+            format!("{layers} lagen over een pixel, van achter naar voren; berekende kleuren: {count}"),
         )
     };
     let slide = Words::new("shade in the loop", "kleuren berekenen in de lus");

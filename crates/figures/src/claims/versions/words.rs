@@ -65,7 +65,8 @@ pub(in super::super) fn rows() -> [Version; 2] {
         )
     };
     let printed = Words::new("pixel (i, j) stands in row j", "pixel (i, j) staat in rij j");
-    [lowest(printed, 0), lowest("n_y − 1 − j".into(), row_of(0, HEIGHT))]
+    let j = 0;
+    [lowest(printed, j), lowest("n_y − 1 − j".into(), row_of(j, HEIGHT))]
 }
 
 /// The error that the repeated caption describes, and that of the figure under which it stands.
