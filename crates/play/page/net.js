@@ -50,17 +50,18 @@ const send = async (path, body, signal) => {
       throw new Refused(T.gone, 0);
     }
   }
-  if (answer.ok) return answer;
-  const said = await answer.json().catch(() => null);
+  const isJson = answer.headers.get('Content-Type')?.startsWith('application/json');
+  const said = isJson ? await answer.json().catch(() => null) : null;
+  if (answer.ok && !said?.error) return { answer, said };
   throw new Refused(said?.error ?? same(`${answer.status} ${answer.statusText}`), answer.status);
 };
 
 /** The answer to a question: without a body it is only looked up. */
-export const ask = async (path, body, signal) => (await send(path, body, signal)).json();
+export const ask = async (path, body, signal) => (await send(path, body, signal)).said;
 
 /** A picture of a look, or rows of it: `{width, height, row, notes, micros, data}`. */
 export const frame = async (question, signal) => {
-  const answer = await send('/api/frame', question, signal);
+  const { answer } = await send('/api/frame', question, signal);
   const header = (name) => Number(answer.headers.get(name) ?? 0);
   const notes = answer.headers.get('X-Notes');
   return {

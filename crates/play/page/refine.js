@@ -12,6 +12,8 @@ const BAND = 60_000;
 const LEAST_ROWS = 12;
 /** So long after a change the first coarse picture is asked for, in milliseconds. */
 const PAUSE = 90;
+/** While a hand moves it works one part in so many of the time: the z-buffer goes first. */
+const SHARE = 4;
 
 /**
  * Draws looks with the ray tracer. `put(picture, scale)` shows one, `progress({scale, samples, part, micros, notes, over})` says how
@@ -24,6 +26,7 @@ export const refiner = ({ put, progress, failed }) => {
   let look = null;
   let running = Promise.resolve();
   let coarsest = false;
+  let took = 0; // The coarsest picture, in milliseconds.
 
   const run = async (mine, signal) => {
     const began = performance.now();
@@ -36,6 +39,7 @@ export const refiner = ({ put, progress, failed }) => {
     for (const scale of plain ? [COARSE[0], 1] : COARSE) {
       coarsest = scale === COARSE[0];
       const picture = await question({ scale });
+      if (coarsest) took = performance.now() - began;
       // The coarsest is shown although the look has changed: so something moves while a hand does.
       if (mine !== generation && !(coarsest && wanted.width === look.width && wanted.height === look.height)) return;
       put(picture, scale);
@@ -81,7 +85,7 @@ export const refiner = ({ put, progress, failed }) => {
       generation += 1;
       look = next;
       if (!coarsest) interrupt?.abort();
-      timer ??= setTimeout(() => { running = running.then(begin); }, PAUSE);
+      timer ??= setTimeout(() => { running = running.then(begin); }, Math.max(PAUSE, (SHARE - 1) * took));
     },
     stop: () => {
       generation += 1;
