@@ -7,7 +7,7 @@ import * as address from './address.js';
 import { frameOfPage, helpDialog } from './frame.js';
 import { loops } from './loops.js';
 import { measure } from './measure.js';
-import { ask, reason } from './net.js';
+import { ask, busy, reason } from './net.js';
 import * as show from './show.js';
 import { steps } from './steps.js';
 import { T, firstLanguage, join, now, onLanguage, remembered, same, say, speak } from './words.js';
@@ -122,6 +122,7 @@ window.addEventListener('hashchange', arrive);
 
 const start = async () => {
   place.replaceChildren(make('p', { class: 'lead', words: T.working }));
+  const done = busy();
   try {
     lecture = await ask('/api/lecture');
     route();
@@ -129,6 +130,8 @@ const start = async () => {
     place.replaceChildren(
       make('p', { class: 'trouble', role: 'status', words: reason(error) ?? T.gone }),
       button(T.again, start));
+  } finally {
+    done();
   }
 };
 

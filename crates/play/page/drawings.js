@@ -2,22 +2,14 @@
 
 import { make, svgElement } from './dom.js';
 import { handleLayer } from './handles.js';
+import { nameOf } from './names.js';
 import { isOn } from './show.js';
-import { T, same, say } from './words.js';
+import { say } from './words.js';
 
 /** Under this width a drawing is not put beside another. */
 const LEAST_WIDTH = 250;
 const GAP = 16;
 const CAPTION = 30;
-
-const NAMES = { yours: T.yours, right: T.right, difference: T.difference };
-
-/** What stands under a drawing; nothing if it has no name. */
-const nameOf = (drawing) => {
-  if (drawing.label) return drawing.label;
-  if (!drawing.name) return null;
-  return NAMES[drawing.name] ?? same(drawing.name.replaceAll('-', ' '));
-};
 
 /** An element that can be shown at once: `{element, aspect, width}`. */
 const ready = async (drawing) => {

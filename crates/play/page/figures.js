@@ -8,20 +8,22 @@ import { ask, busy, latest, reason } from './net.js';
 import { parametersOf } from './panel.js';
 import * as show from './show.js';
 import { sizes } from './sizes.js';
-import { T, join, same } from './words.js';
+import { T, join, same, say } from './words.js';
 
 /** So long after the last change the drawing is said aloud, in milliseconds. */
 const CALM = 700;
+/** So long a button says what it did, in milliseconds. */
+const SAID = 2500;
 
 /** One figure with everything that moves it. */
 export const figure = (place, context) => {
   const { lecture, figure: its, values, name } = context;
   const wrong = trouble();
+  const waiting = make('p', { class: 'waiting', words: T.working });
   const size = sizes(its);
   let set = {};
   let drawings = [];
   let calm = null;
-  let sharpen = null;
   // Counts the changes made beside the drawing, so that a late answer to a drag takes nothing back.
   let version = 0;
   let left = false;
@@ -39,6 +41,7 @@ export const figure = (place, context) => {
     }
     drawings = answer.drawings;
     await grid.show(drawings);
+    waiting.hidden = true;
     panel.hands(drawings.some((d) => d.handles?.length));
     keep();
     if (!settled) return;
@@ -60,9 +63,9 @@ export const figure = (place, context) => {
       size.took(pixels, performance.now() - began);
       wrong.show(null);
       await take(answer, settled, move && before === version);
-      clearTimeout(sharpen);
-      if (settled && !sharp) sharpen = setTimeout(() => draw({ settled: true }), 0);
+      if (settled && !sharp && !draw.waits()) draw({ settled: true });
     } catch (error) {
+      waiting.hidden = true;
       wrong.show(reason(error));
     } finally {
       done();
@@ -117,7 +120,7 @@ export const figure = (place, context) => {
       also.length > 0 && make('span', { class: 'also' }, also.join(' · ')),
       tools),
     make('div', { class: `workspace${its.parameters.length || its.mine.length ? '' : ' bare'}` },
-      make('div', { class: 'picture' }, grid.element, wrong.element),
+      make('div', { class: 'picture' }, grid.element, waiting, wrong.element),
       make('div', { class: 'panel' }, panel.element, mine.control)),
     make('p', { class: 'caption', 'data-test': 'caption', words: its.caption }),
     mine.element,
@@ -138,23 +141,25 @@ export const figure = (place, context) => {
     leave: () => {
       left = true;
       clearTimeout(calm);
-      clearTimeout(sharpen);
       grid.leave();
       mine.leave();
     },
   };
 };
 
-/** A button that puts the address of what is seen onto the clipboard. */
-export const copyButton = () => button(T.copy, async () => {
-  flush();
-  try {
-    await navigator.clipboard.writeText(location.href);
-    announce(T.copied);
-  } catch {
-    announce(T.notCopied);
-  }
-}, { 'data-test': 'copy', class: 'copy' });
+/** A button that puts the address of what is seen onto the clipboard, and says so for a while. */
+export const copyButton = () => {
+  let timer = null;
+  const element = button(T.copy, async () => {
+    flush();
+    const copied = await navigator.clipboard.writeText(location.href).then(() => true, () => false);
+    announce(copied ? T.copied : T.notCopied);
+    say(element.firstChild, copied ? T.copiedShort : T.notCopied);
+    clearTimeout(timer);
+    timer = setTimeout(() => say(element.firstChild, T.copy), SAID);
+  }, { 'data-test': 'copy', class: 'copy' });
+  return element;
+};
 
 /** Kinds of steps that belong to items of the lecture. */
 const STEPS = { L13: 'painter', L14: 'painter', L17: 'depth', L50: 'solve', L51: 'solve', L54: 'solve' };

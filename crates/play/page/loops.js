@@ -216,13 +216,14 @@ export const loops = (place, context) => {
     keep();
     tell(true);
   };
+  const reset = () => three.change({ azimuth: 0, elevation: 0, distance: 1 });
   const controls = lookControls(look, lecture, (changes) => three.change(changes));
 
   place.classList.add('loops');
   place.append(
     make('div', { class: 'heading' },
       make('h1', { words: T.loops }),
-      make('div', { class: 'tools' }, copyButton(), button(T.full, show.start, { 'data-test': 'full' }))),
+      make('div', { class: 'tools' }, button(T.reset, reset, { 'data-test': 'reset' }), copyButton(), button(T.full, show.start, { 'data-test': 'full' }))),
     controls,
     make('p', { class: 'hint', words: T.orbitHelp }),
     three.element,
@@ -230,7 +231,7 @@ export const loops = (place, context) => {
   if (pixel) tell(false);
   return {
     title: pixel ? T.story : T.loops,
-    keys: { r: () => three.change({ azimuth: 0, elevation: 0, distance: 1 }) },
+    keys: { r: reset },
     leave: () => {
       three.leave();
       story.leave();

@@ -88,10 +88,10 @@ export const mineSwitch = (figure, lecture, first, values, onchange) => {
     if (!lecture.token) {
       element.dataset.state = 'no-permission';
       compiler.hidden = true;
-      say(state, T.noPermission);
+      state.replaceChildren(make('span', { words: T.noPermission }));
       return;
     }
-    if (!state.textContent) say(state, T.working);
+    if (!state.textContent) state.replaceChildren(make('span', { words: T.working }));
     draw();
     watch();
   };

@@ -86,8 +86,11 @@ export const latest = (work) => {
     }
     running = false;
   };
-  return (value) => {
+  const next = (value) => {
     waiting = [value];
     if (!running) run();
   };
+  /** Whether a newer value waits already. */
+  next.waits = () => waiting !== null;
+  return next;
 };

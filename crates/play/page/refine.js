@@ -23,6 +23,7 @@ export const refiner = ({ put, progress, failed }) => {
   let timer = null;
   let look = null;
   let running = Promise.resolve();
+  let coarsest = false;
 
   const run = async (mine, signal) => {
     const began = performance.now();
@@ -33,13 +34,17 @@ export const refiner = ({ put, progress, failed }) => {
     // Depths, normals and counts have no light in them, and nothing to average: they come at once.
     const plain = wanted.show !== 'color';
     for (const scale of plain ? [COARSE[0], 1] : COARSE) {
+      coarsest = scale === COARSE[0];
       const picture = await question({ scale });
-      if (mine !== generation) return;
+      // The coarsest is shown although the look has changed: so something moves while a hand does.
+      if (mine !== generation && !(coarsest && wanted.width === look.width && wanted.height === look.height)) return;
       put(picture, scale);
+      if (mine !== generation) return;
       told(picture, { scale, samples: 1, part: 1, over: plain && scale === 1 });
       // A full row has `scale` times as many pixels as a coarse one.
       perRow = (picture.micros / Math.max(1, picture.height)) * scale;
     }
+    coarsest = false;
     for (const samples of plain ? [] : SAMPLES) {
       let perBand = Math.max(1, perRow * samples * samples);
       let row = 0;
@@ -65,6 +70,7 @@ export const refiner = ({ put, progress, failed }) => {
     } catch (error) {
       if (error.name !== 'AbortError' && mine === generation) failed(error);
     } finally {
+      coarsest = false;
       done();
     }
   };
@@ -74,8 +80,7 @@ export const refiner = ({ put, progress, failed }) => {
     draw: (next) => {
       generation += 1;
       look = next;
-      interrupt?.abort();
-      interrupt = null;
+      if (!coarsest) interrupt?.abort();
       timer ??= setTimeout(() => { running = running.then(begin); }, PAUSE);
     },
     stop: () => {

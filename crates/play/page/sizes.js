@@ -4,6 +4,8 @@
 const FOLLOWS = 60;
 /** A drawing at rest may take so long. */
 const RESTS = 1000;
+/** The first drawing is so much smaller: it is there at once, and tells how long a larger one takes. */
+const FIRST = 0.25;
 /** Neither side is smaller or larger than this: the server draws no other. */
 const LEAST = 16;
 const GREATEST = 1920;
@@ -19,8 +21,7 @@ export const sizes = (figure) => {
   return {
     next: (resting, shownWidth) => {
       if (!width) return [null, true];
-      // The first drawing tells how long it takes.
-      if (perPixel === null || !shownWidth) return [[width, height], false];
+      if (perPixel === null || !shownWidth) return [scaled(FIRST), false];
       const sharp = Math.max(1, shownWidth / width);
       const affordable = Math.sqrt((resting ? RESTS : FOLLOWS) / (perPixel * width * height));
       const factor = resting ? Math.max(1, Math.min(sharp, affordable)) : Math.max(0.2, Math.min(sharp, affordable));
