@@ -5,6 +5,7 @@ use std::error::Error;
 use canvas::Image;
 pub use sheet::{Text, Words};
 
+use crate::handle::{Handle, Handled};
 use crate::parameter::{Parameter, Values};
 
 /// A figure of the lecture, computed by the concept crates.
@@ -24,6 +25,9 @@ pub struct Figure {
     pub size: (u32, u32),
     /// Draws it.
     pub draw: fn(&Values) -> Drawn,
+    /// Where the handles of its drawings are, without drawing: quick enough to be asked again and again while something is
+    /// dragged. The drawings have the same.
+    pub handles: fn(&Values) -> Handled,
 }
 
 /// What drawing gives; an error says which values do not go together.
@@ -59,6 +63,8 @@ pub struct Drawing {
     pub alt: Words,
     /// The drawing itself.
     pub content: Content,
+    /// What can be dragged in it.
+    pub handles: Vec<Handle>,
 }
 
 /// A drawing is made of pixels or of lines.
@@ -73,12 +79,18 @@ pub enum Content {
 impl Drawing {
     /// A picture.
     pub fn picture(name: impl Into<String>, alt: impl Into<Words>, image: Image) -> Self {
-        Self { name: name.into(), alt: alt.into(), content: Content::Picture(image) }
+        Self { name: name.into(), alt: alt.into(), content: Content::Picture(image), handles: Vec::new() }
     }
 
     /// A diagram or a plot, as SVG.
     pub fn diagram(name: impl Into<String>, alt: impl Into<Words>, svg: String) -> Self {
-        Self { name: name.into(), alt: alt.into(), content: Content::Diagram(svg) }
+        Self { name: name.into(), alt: alt.into(), content: Content::Diagram(svg), handles: Vec::new() }
+    }
+
+    /// The same with handles.
+    #[must_use]
+    pub fn with_handles(self, handles: Vec<Handle>) -> Self {
+        Self { handles, ..self }
     }
 
     /// The figure's only drawing, of lines: `svg` gives it, once it knows what to say to somebody who cannot see it.

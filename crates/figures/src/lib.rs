@@ -18,7 +18,9 @@
 struct ReadmeExamples;
 
 pub mod claims;
+pub mod drag;
 pub mod figure;
+pub mod handle;
 pub mod page;
 pub mod parameter;
 
@@ -27,7 +29,9 @@ mod on_screen;
 mod pictures;
 mod plots;
 
+pub use drag::{DragError, drag};
 pub use figure::{Content, Drawing, Drawn, Figure, Text, Words};
+pub use handle::{Handle, Handled, Handles};
 pub use parameter::{Parameter, ParameterError, Values};
 pub use pictures::depth_grids::{GRID, polygons_of_the_grids};
 

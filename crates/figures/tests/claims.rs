@@ -40,6 +40,7 @@ fn a_claim_with_a_wrong_expectation_is_reported() {
         code: &[],
         examine: || Examination { verdict: Verdict::Refuted, evidence: Vec::new(), right_holds: true },
         pictures: None,
+        versions: None,
     };
     let lines = unexpected(&[WRONG.run()]);
     assert_eq!(lines.len(), 1);

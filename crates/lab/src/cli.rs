@@ -77,6 +77,9 @@ pub(crate) enum Command {
     /// What draws.
     #[command(flatten)]
     Pictures(crate::pictures::Command),
+    /// What a browser shows.
+    #[command(flatten)]
+    Live(crate::live::Command),
     /// What a lecturer needs.
     #[command(flatten)]
     Class(crate::class::Command),

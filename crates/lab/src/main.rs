@@ -1,7 +1,7 @@
 //! How do I solve an exercise, see a scene, or show a figure of the lecture? With `cargo lab`.
 //!
-//! [`cli`] says what can be typed. [`student`] holds what an exercise needs, [`pictures`] what draws, [`class`] what a lecturer needs; the latter two are features, so
-//! that a student's first build is short. Beneath them, [`unfinished`] writes a file whole or not at all, [`signals`] keeps that promise when somebody presses Ctrl-C,
+//! [`cli`] says what can be typed. [`student`] holds what an exercise needs, [`pictures`] what draws, [`class`] what a lecturer needs, [`live`] what a browser shows; the latter three
+//! are features, so that a student's first build is short. Beneath them, [`unfinished`] writes a file whole or not at all, [`signals`] keeps that promise when somebody presses Ctrl-C,
 //! [`speech`] writes to the terminal, and [`failure`] says what went wrong.
 
 #![forbid(unsafe_code)]
@@ -12,9 +12,14 @@ mod class;
 #[cfg(feature = "class")]
 mod class;
 mod cli;
-#[cfg(not(all(feature = "pictures", feature = "class")))]
+#[cfg(not(all(feature = "pictures", feature = "class", feature = "live")))]
 mod elsewhere;
 mod failure;
+#[cfg(not(feature = "live"))]
+#[path = "elsewhere/live.rs"]
+mod live;
+#[cfg(feature = "live")]
+mod live;
 #[cfg(not(feature = "pictures"))]
 #[path = "elsewhere/pictures.rs"]
 mod pictures;
@@ -57,6 +62,7 @@ fn run(cli: &Cli) -> Result<Outcome, Failure> {
         Some(Command::Reset(asked)) => student::reset::run(asked),
         Some(Command::Pictures(asked)) => pictures::run(asked),
         Some(Command::Class(asked)) => class::run(asked),
+        Some(Command::Live(asked)) => live::run(asked),
         None => student::board::run(&cli.board),
     }
 }

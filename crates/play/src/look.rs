@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use glam::{Mat3, Quat, Vec3};
-use scene::{Named, Prepared, Renderer, Settings, Shape, Show, View, builtin, parse_name, prepare};
+use scene::{Named, Prepared, Renderer, Settings, Shape, View, builtin, parse_name, prepare};
 use serde::Deserialize;
 
 use crate::Refusal;
@@ -215,9 +215,4 @@ fn moved(view: &View, look: &Look) -> Result<View, Refusal> {
     let ahead = flat.normalize_or(up.any_orthonormal_vector());
     let length = look.distance * from_target.length();
     Ok(View { eye: view.target + length * (wanted.cos() * ahead + wanted.sin() * up), ..*view })
-}
-
-/// Whether a look shows colours, not numbers.
-pub(crate) fn shows_colors(settings: &Settings) -> bool {
-    settings.show == Show::Color
 }

@@ -172,6 +172,16 @@ impl Sheet {
         vec2(self.lower_left.x + self.units(left), self.upper_right.y - self.units(top))
     }
 
+    /// Where a point of the plane lies on the sheet: the shares of its width and of its height from the top left corner.
+    pub fn share(&self, p: Vec2) -> Vec2 {
+        self.at(p) / self.size()
+    }
+
+    /// Width and height of the sheet in pixels.
+    pub fn size(&self) -> Vec2 {
+        self.at(vec2(self.upper_right.x, self.lower_left.y))
+    }
+
     /// So many units of the plane are this many pixels.
     pub fn units(&self, pixels: f32) -> f32 {
         pixels / self.scale
@@ -233,7 +243,7 @@ impl Sheet {
     ///
     /// - `address`: where the picture is; a `data:` address has it in the drawing itself.
     pub fn picture(&mut self, address: &str, opacity: f32) {
-        let size = self.at(vec2(self.upper_right.x, self.lower_left.y));
+        let size = self.size();
         self.put(html! {
             image href=(address) width=(number(size.x)) height=(number(size.y)) opacity=(number(opacity)) {}
         });
@@ -340,7 +350,7 @@ impl Sheet {
 
     /// The text of an SVG file. `alt` is what it says to somebody who cannot see it.
     pub fn svg(self, alt: &Words) -> String {
-        let size = self.at(vec2(self.upper_right.x, self.lower_left.y));
+        let size = self.size();
         let (width, height) = (number(size.x), number(size.y));
         html! {
             svg xmlns="http://www.w3.org/2000/svg" class="fig" viewBox={ "0 0 " (width) " " (height) }
@@ -409,6 +419,14 @@ mod tests {
         let svg = sheet.svg(&"a line".into());
         assert!(svg.contains("M0 200L200 50"), "{svg}");
         assert!(svg.contains("viewBox=\"0 0 400 200\"") && svg.contains("aria-label=\"a line\""), "{svg}");
+    }
+
+    #[test]
+    fn a_share_is_counted_from_the_top_left_corner() {
+        let sheet = Sheet::new(vec2(-1.0, 0.0), vec2(3.0, 2.0), 400.0);
+        assert_eq!(sheet.size(), vec2(400.0, 200.0));
+        assert_eq!(sheet.share(vec2(-1.0, 2.0)), Vec2::ZERO);
+        assert_eq!(sheet.share(vec2(0.0, 1.5)), vec2(0.25, 0.25));
     }
 
     #[test]

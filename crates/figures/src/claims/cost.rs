@@ -23,6 +23,7 @@ pub(super) static R_IS_EXPENSIVE: Claim = Claim {
     code: &["lighting::reflect", "lighting::halfway"],
     examine: r_is_expensive,
     pictures: None,
+    versions: None,
 };
 
 fn r_is_expensive() -> Examination {

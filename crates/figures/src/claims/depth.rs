@@ -35,6 +35,7 @@ pub(super) static INTERPOLATED: Claim = Claim {
         judge("canonical z between the vertices is that of the point seen there", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 fn for_each_fragment(pipeline: &Pipeline, seed: u64, mut look: impl FnMut(&Triangle, &zbuffer::Fragment)) {
@@ -85,6 +86,7 @@ pub(super) static CAMERA_DEPTH: Claim = Claim {
             )
     },
     pictures: Some(samples::floor_pair),
+    versions: None,
 };
 
 const ONE_DEPTH: &str = "the vertices are equally deep";
@@ -134,6 +136,7 @@ pub(super) static NEAR_SIMILAR: Claim = Claim {
         ))
     },
     pictures: None,
+    versions: None,
 };
 
 const TWO_STEPS: &str = "they are at least two depth steps apart";
@@ -172,6 +175,7 @@ pub(super) static TWO_LOOPS: Claim = Claim {
             .noted(format!("{on_edges} of {all} pixels, all on edges, show another one"))
     },
     pictures: None,
+    versions: None,
 };
 
 type Winners = Vec<Option<usize>>;
@@ -267,6 +271,7 @@ pub(super) static SAVED_DEPTH: Claim = Claim {
         )
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static SHADED_AGAIN: Claim = Claim {
@@ -282,6 +287,7 @@ pub(super) static SHADED_AGAIN: Claim = Claim {
     code: &["zbuffer::DepthBuffer::test_and_set", "zbuffer::draw::Work"],
     examine: shaded_again,
     pictures: None,
+    versions: None,
 };
 
 fn shaded_again() -> Examination {

@@ -43,6 +43,7 @@ pub(super) static THREE_PARTS: Claim = Claim {
         judge("reflected and transmitted light are all that arrives", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 /// The energy behind the surface, from the amplitudes that pass: m cos θ₂ / cos θ₁ times the mean of their squares.
@@ -83,6 +84,7 @@ pub(super) static SUM: Claim = Claim {
         judge("the whole is the sum of the diffuse and the specular part", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static SAME_FROM_EVERYWHERE: Claim = Claim {
@@ -106,6 +108,7 @@ pub(super) static SAME_FROM_EVERYWHERE: Claim = Claim {
         judge("a matt surface has one colour for all directions to the eye", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static COSINE: Claim = Claim {
@@ -133,6 +136,7 @@ pub(super) static COSINE: Claim = Claim {
         judge("c = c_r c_l cos θ", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static FACING_AWAY: Claim = Claim {
@@ -156,6 +160,7 @@ pub(super) static FACING_AWAY: Claim = Claim {
         judge("light is 0 where n·l < 0, and n·l elsewhere", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static BLACK_SHADOWS: Claim = Claim {
@@ -181,6 +186,7 @@ pub(super) static BLACK_SHADOWS: Claim = Claim {
         judge("what faces away is black, and c_r c_a with ambient light", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static ANGLE: Claim = Claim {
@@ -216,6 +222,7 @@ pub(super) static ANGLE: Claim = Claim {
         )
     },
     pictures: None,
+    versions: None,
 };
 
 fn slide_lambert(degrees: f32) -> f32 {
@@ -257,6 +264,7 @@ pub(super) static NO_FALLOFF: Claim = Claim {
         )
     },
     pictures: None,
+    versions: None,
 };
 
 /// The intensity that the model takes, at a distance from a lamp of intensity 1.
@@ -284,6 +292,7 @@ pub(super) static BETWEEN_0_AND_1: Claim = Claim {
     code: &["lighting::lit", "canvas::srgb::encode"],
     examine: between_0_and_1,
     pictures: None,
+    versions: None,
 };
 
 fn between_0_and_1() -> Examination {

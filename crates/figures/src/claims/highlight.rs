@@ -33,6 +33,7 @@ pub(super) static LIGHTS_COLOUR: Claim = Claim {
         judge("the highlight adds a multiple of the light's colour", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static MAY_BE_NEGATIVE: Claim = Claim {
@@ -60,6 +61,7 @@ pub(super) static MAY_BE_NEGATIVE: Claim = Claim {
         measured(!negative.is_empty(), format!("{numbers}{} of 1000 pairs e, l are negative", negative.len()))
     },
     pictures: None,
+    versions: None,
 };
 
 /// The angle σ, in degrees, at which a highlight has half its brightness, by bisection.
@@ -94,6 +96,7 @@ pub(super) static TOO_WIDE: Claim = Claim {
         )
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static NARROWER: Claim = Claim {
@@ -121,6 +124,7 @@ pub(super) static NARROWER: Claim = Claim {
             .noted(format!("half brightness at {}", list.join(", ")))
     },
     pictures: None,
+    versions: None,
 };
 
 const NOT_OPPOSITE: &str = "e is not −l";
@@ -151,6 +155,7 @@ pub(super) static HALFWAY: Claim = Claim {
         judge("h is a unit vector with equal angles to e and l", Some(NOT_OPPOSITE), &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static EMPIRICAL: Claim = Claim {
@@ -180,6 +185,7 @@ pub(super) static EMPIRICAL: Claim = Claim {
         )
     },
     pictures: None,
+    versions: None,
 };
 
 /// What leaves the surface: the colour seen, weighted by the cosine over the hemisphere; a white matt surface sends what it
@@ -211,6 +217,7 @@ pub(super) static LOCAL: Claim = Claim {
     code: &["raytrace::ray_color"],
     examine: local,
     pictures: None,
+    versions: None,
 };
 
 fn local() -> Examination {

@@ -62,6 +62,7 @@ pub(super) static ALWAYS_POSITIVE: Claim = Claim {
             )
     },
     pictures: Some(dark_side_pair),
+    versions: None,
 };
 
 pub(super) static A_NUMBER: Claim = Claim {
@@ -108,6 +109,7 @@ pub(super) static A_NUMBER: Claim = Claim {
             )
     },
     pictures: None,
+    versions: None,
 };
 
 fn number_trial(e: Vec3, l: Vec3, p: f32) -> Trial {
@@ -168,6 +170,7 @@ pub(super) static REFLECTED_LEAKS: Claim = Claim {
             )
     },
     pictures: Some(grazing_pair),
+    versions: None,
 };
 
 /// A ball with the light behind it, left of the eye's line.
@@ -258,6 +261,7 @@ pub(super) static SAME_HIGHLIGHT: Claim = Claim {
             )
     },
     pictures: None,
+    versions: None,
 };
 
 /// With l on the normal and e at 2ω from it: (e·r)^p, (h·n)^p, (h·n)^4p.

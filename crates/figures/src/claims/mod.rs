@@ -26,7 +26,7 @@ mod words;
 
 pub use judgement::{Evidence, Examination, Trial, Verdict, judge, measured};
 
-use crate::figure::{Drawing, Text};
+use crate::figure::{Drawing, Text, Words};
 
 /// A sentence of the slides and what becomes of it.
 #[derive(Debug)]
@@ -49,6 +49,17 @@ pub struct Claim {
     pub examine: fn() -> Examination,
     /// The slide's version and the right one as pictures, where it can be seen.
     pub pictures: Option<fn() -> crate::Drawn>,
+    /// The slide's version and the right one, run on one input: for an error of the slides that no pictures show.
+    pub versions: Option<fn() -> [Version; 2]>,
+}
+
+/// What one side says, and what comes of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Version {
+    /// The formula or the sentence.
+    pub says: Words,
+    /// What it gives on the input, computed here and now.
+    pub gives: Words,
 }
 
 /// A claim after its run.

@@ -30,6 +30,7 @@ pub(super) static PAINTER: Claim = Claim {
         judge("drawing from back to front shows the nearest polygon in every pixel", Some(NO_CYCLE), &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 const NO_CYCLE: &str = "no polygons hide each other in a cycle or pass through each other";
@@ -75,6 +76,7 @@ pub(super) static SORTED_BY_DEPTH: Claim = Claim {
         judge("sorted by farthest vertex, every pixel shows the nearest", Some(APART_IN_DEPTH), &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 const APART_IN_DEPTH: &str = "no two polygons share a range of depths";
@@ -109,6 +111,7 @@ pub(super) static CYCLES: Claim = Claim {
             .noted(found.join("; "))
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static DRAWN_LAST: Claim = Claim {
@@ -138,6 +141,7 @@ pub(super) static DRAWN_LAST: Claim = Claim {
         examination.noted(format!("{overwritten} pixels show the farther one, all of them wrongly"))
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static ORDER_OF_DRAWING: Claim = Claim {
@@ -168,6 +172,7 @@ pub(super) static ORDER_OF_DRAWING: Claim = Claim {
         judge("the picture is the same in another order", Some(NO_EQUAL_DEPTHS), &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 const NO_EQUAL_DEPTHS: &str = "no two z in a pixel are equal";
@@ -222,6 +227,7 @@ pub(super) static FOUR_GRIDS: Claim = Claim {
     code: &["zbuffer::DepthBuffer"],
     examine: four_grids,
     pictures: None,
+    versions: None,
 };
 
 fn four_grids() -> Examination {

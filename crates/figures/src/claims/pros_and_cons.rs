@@ -33,6 +33,7 @@ pub(super) static MEMORY: Claim = Claim {
         measured(bytes.iter().all(|bytes| 2 * bytes >= picture), numbers)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static HARDWARE: Claim = Claim {
@@ -69,6 +70,7 @@ pub(super) static HARDWARE: Claim = Claim {
         judge("bands drawn apart, in any order, give the same depths", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static ANY_NUMBER: Claim = Claim {
@@ -112,6 +114,7 @@ pub(super) static ANY_NUMBER: Claim = Claim {
             .noted(kept.join("; "))
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static SIMPLE: Claim = Claim {
@@ -148,6 +151,7 @@ pub(super) static SIMPLE: Claim = Claim {
         measured(3 * z_buffer < painter, numbers)
     },
     pictures: None,
+    versions: None,
 };
 
 /// Lines that are neither empty nor remarks, up to the tests.
@@ -185,6 +189,7 @@ pub(super) static TRANSPARENCY: Claim = Claim {
         ))
     },
     pictures: None,
+    versions: None,
 };
 
 /// The colour of a pixel after drawing two panes (z, colour, opacity) in this order.
@@ -213,6 +218,7 @@ pub(super) static FIGHTING: Claim = Claim {
     code: &["zbuffer::DepthFormat", "zbuffer::project"],
     examine: limited_resolution,
     pictures: None,
+    versions: None,
 };
 
 fn limited_resolution() -> Examination {

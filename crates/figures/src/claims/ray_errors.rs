@@ -85,6 +85,7 @@ pub(super) static PARALLEL: Claim = Claim {
             )
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static RETURNS_NO_T: Claim = Claim {
@@ -116,6 +117,7 @@ pub(super) static RETURNS_NO_T: Claim = Claim {
         )
     },
     pictures: None,
+    versions: None,
 };
 
 fn ball() -> World {
@@ -168,6 +170,7 @@ pub(super) static SHADOW_FROM_ZERO: Claim = Claim {
             )
     },
     pictures: Some(acne_pair),
+    versions: None,
 };
 
 fn acne_pair() -> Drawn {
@@ -232,6 +235,7 @@ pub(super) static BEYOND_THE_LAMP: Claim = Claim {
             )
     },
     pictures: None,
+    versions: None,
 };
 
 /// Whether a point of the floor z = 0 is lit by a lamp above it: with t up to ∞, and with t up to the lamp.
@@ -269,6 +273,7 @@ pub(super) static VIEWING_INTERVAL: Claim = Claim {
     code: &["raytrace::visible_interval", "zbuffer::project"],
     examine: viewing_interval,
     pictures: None,
+    versions: None,
 };
 
 fn viewing_interval() -> Examination {

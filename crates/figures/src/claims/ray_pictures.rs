@@ -39,6 +39,7 @@ pub(super) static RENDER_LOOP: Claim = Claim {
         judge("the slide's loop and the renderer give the same picture", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 /// A ball over a floor.
@@ -81,6 +82,7 @@ pub(super) static SHADOW_RAYS: Claim = Claim {
         judge("q is in shadow just where the ball is in the way", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 /// The slide's raycolor in its own words, its (h·n)^p without maximum.
@@ -126,6 +128,7 @@ pub(super) static RAYCOLOR: Claim = Claim {
         judge("the listing gives the colour of our local lighting on closed bodies", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static RECURSION_ENDS: Claim = Claim {
@@ -162,6 +165,7 @@ pub(super) static RECURSION_ENDS: Claim = Claim {
         judge("between two mirrors the colour is 1 − ½^(d+1)", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 const NO_TOTAL_REFLECTION: &str = "there is no total internal reflection";
@@ -179,6 +183,7 @@ pub(super) static SNELL: Claim = Claim {
     code: &["raytrace::optics::refracted"],
     examine: snell,
     pictures: None,
+    versions: None,
 };
 
 fn snell() -> Examination {

@@ -47,6 +47,7 @@ pub(super) static FIRST_HIT: Claim = Claim {
         judge("the hit is the one with the smallest t", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 const NOTHING_NEARER: &str = "nothing nearer lies in the way";
@@ -82,6 +83,7 @@ pub(super) static PICKING: Claim = Claim {
         judge("the ray under the mouse finds the object projected there", Some(NOTHING_NEARER), &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static RAY_ENDS: Claim = Claim {
@@ -106,6 +108,7 @@ pub(super) static RAY_ENDS: Claim = Claim {
         judge("p(0) = e and p(1) = s", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static NEARER_AND_BEHIND: Claim = Claim {
@@ -133,6 +136,7 @@ pub(super) static NEARER_AND_BEHIND: Claim = Claim {
         judge("p(t₁) is nearer than p(t₂), and p(−t₂) lies behind the eye", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static THE_SYSTEM: Claim = Claim {
@@ -158,6 +162,7 @@ pub(super) static THE_SYSTEM: Claim = Claim {
         judge("the point on the ray is the point on the plane", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static THREE_SOLVERS: Claim = Claim {
@@ -193,6 +198,7 @@ pub(super) static THREE_SOLVERS: Claim = Claim {
             .noted(format!("{:.0}, {:.0} and {:.0} ns each on this machine", cost[0], cost[1], cost[2]))
     },
     pictures: None,
+    versions: None,
 };
 
 /// A triangle and a ray that meets its plane at more than some degrees.
@@ -245,6 +251,7 @@ pub(super) static VIEW_VOLUME: Claim = Claim {
         judge("a point of a viewing ray is in the volume just where t₀ < t < t₁", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static EARLY_EXITS: Claim = Claim {
@@ -271,6 +278,7 @@ pub(super) static EARLY_EXITS: Claim = Claim {
         judge("raytri hits where the solution of the system lies inside", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static WORKED_EXAMPLE: Claim = Claim {
@@ -286,6 +294,7 @@ pub(super) static WORKED_EXAMPLE: Claim = Claim {
     code: &["raytrace::triangle::system", "raytrace::triangle::cramer"],
     examine: worked_example,
     pictures: None,
+    versions: None,
 };
 
 fn worked_example() -> Examination {

@@ -41,6 +41,7 @@ pub(super) static INSIDE: Claim = Claim {
         judge("the test agrees with the sides of the three edges", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 /// The unit square cut along its diagonal, at z = 0.
@@ -122,6 +123,7 @@ pub(super) static STRICT: Claim = Claim {
     code: &["zbuffer::rasterize", "raytrace::triangle::watertight"],
     examine: || ownership(slide_strict),
     pictures: Some(edge_pair),
+    versions: None,
 };
 
 pub(super) static INCLUSIVE: Claim = Claim {
@@ -138,6 +140,7 @@ pub(super) static INCLUSIVE: Claim = Claim {
     examine: || ownership(slide_inclusive),
     // The pair of the strict test shows this one too.
     pictures: None,
+    versions: None,
 };
 
 /// Screen pixels of the enlarged picture of an edge.

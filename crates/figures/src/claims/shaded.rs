@@ -71,6 +71,7 @@ pub(super) static GOURAUD_IS_AFFINE: Claim = Claim {
         judge("the colour is αc₀ + βc₁ + γc₂", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static FINER_MESH: Claim = Claim {
@@ -102,6 +103,7 @@ pub(super) static FINER_MESH: Claim = Claim {
             .noted(format!("mean error of Gouraud shading at levels 0 to 4: {}", list.join(", ")))
     },
     pictures: None,
+    versions: None,
 };
 
 /// How far the colours are from those of the exact sphere, on average over the pixels that show the mesh.
@@ -143,6 +145,7 @@ pub(super) static PHONG_SHADING: Claim = Claim {
             .noted(format!("mean error, Phong against Gouraud shading: {}", numbers.join("; ")))
     },
     pictures: None,
+    versions: None,
 };
 
 fn brightest(image: &Image) -> f32 {
@@ -173,6 +176,7 @@ pub(super) static MISSED_HIGHLIGHT: Claim = Claim {
         )
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static TWO_PHONGS: Claim = Claim {
@@ -206,6 +210,7 @@ pub(super) static TWO_PHONGS: Claim = Claim {
         judge("each shading with each highlight gives another picture", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 /// αn₀ + βn₁ + γn₂, as on the slide.
@@ -252,6 +257,7 @@ pub(super) static NOT_UNIT: Claim = Claim {
             )
     },
     pictures: Some(normals_pair),
+    versions: None,
 };
 
 const ALL_EQUAL: &str = "the three vertex normals are equal";
@@ -293,6 +299,7 @@ pub(super) static CAPTION: Claim = Claim {
     code: &["shading::Shading"],
     examine: caption,
     pictures: None,
+    versions: None,
 };
 
 fn caption() -> Examination {

@@ -49,6 +49,7 @@ pub(super) static ORDER_OF_FACTORS: Claim = Claim {
             )
     },
     pictures: None,
+    versions: None,
 };
 
 /// The product from left to right as printed: R·T, P, S, C, V.
@@ -88,6 +89,7 @@ pub(super) static R_MINUS_ONE: Claim = Claim {
             )
     },
     pictures: None,
+    versions: None,
 };
 
 const L_IS_ONE: &str = "l is 1";
@@ -155,6 +157,7 @@ pub(super) static CLIP_W_NEGATIVE: Claim = Claim {
             )
     },
     pictures: Some(stage::clipping_pair),
+    versions: None,
 };
 
 /// −w ≤ x ≤ w, −w ≤ y ≤ w, −w ≤ z ≤ w.
@@ -196,6 +199,7 @@ pub(super) static OPENGL: Claim = Claim {
         )
     },
     pictures: None,
+    versions: None,
 };
 
 /// glFrustum, from OpenGL's own reference page.
@@ -223,6 +227,7 @@ pub(super) static HANDEDNESS: Claim = Claim {
     code: &["transforms::change_of_basis"],
     examine: handedness,
     pictures: None,
+    versions: None,
 };
 
 const ONE_HANDEDNESS: &str = "both bases have the same handedness";

@@ -32,6 +32,7 @@ pub(super) static CAMERA_IS_RIGID: Claim = Claim {
         judge("distances stay and the determinant is 1", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 const BOTH_BEFORE_THE_EYE: &str = "both points lie before the eye";
@@ -64,6 +65,7 @@ pub(super) static DEPTH_ORDER: Claim = Claim {
         judge("the order of depths stays", Some(BOTH_BEFORE_THE_EYE), &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static LINES: Claim = Claim {
@@ -95,6 +97,7 @@ pub(super) static LINES: Claim = Claim {
         judge("points of a line stay on a line", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static BOX_TO_CUBE: Claim = Claim {
@@ -130,6 +133,7 @@ pub(super) static BOX_TO_CUBE: Claim = Claim {
         judge("(r, t, n) becomes (1, 1, 1) and (l, b, f) becomes (−1, −1, −1)", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 const UP_NOT_ALONG_GAZE: &str = "up does not lie along the gaze";
@@ -154,6 +158,7 @@ pub(super) static CAMERA_FRAME: Claim = Claim {
         judge("u, v, w are orthonormal and right-handed", Some(UP_NOT_ALONG_GAZE), &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 fn frame_trial(gaze: Vec3, up: Vec3) -> Trial {
@@ -200,6 +205,7 @@ pub(super) static ROTATION_ABOUT_A_POINT: Claim = Claim {
         judge("T(p)·R(θ)·T(−p) is the matrix of the answer, and p stays", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static CHANGE_OF_BASIS: Claim = Claim {
@@ -224,6 +230,7 @@ pub(super) static CHANGE_OF_BASIS: Claim = Claim {
         judge("Mu = a, Mv = b and Mw = c", None, &trials)
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static INVERSE_CHANGE: Claim = Claim {
@@ -239,6 +246,7 @@ pub(super) static INVERSE_CHANGE: Claim = Claim {
     code: &["transforms::change_of_basis_inverse"],
     examine: inverse_change,
     pictures: None,
+    versions: None,
 };
 
 fn inverse_change() -> Examination {

@@ -41,6 +41,7 @@ pub(super) static WINDOW_POINT: Claim = Claim {
             .compared("the eye at (5, 1, 4)", short(slide), short(ray.at(1.0)))
     },
     pictures: None,
+    versions: None,
 };
 
 const EYE_AT_ORIGIN: &str = "the eye is at the origin";
@@ -97,6 +98,7 @@ pub(super) static CORNER: Claim = Claim {
             )
     },
     pictures: Some(stage::window_pair),
+    versions: None,
 };
 
 /// The three factors as printed.

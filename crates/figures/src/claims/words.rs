@@ -82,6 +82,7 @@ pub(super) static ONE_LETTER: Claim = Claim {
         )
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static MATT: Claim = Claim {
@@ -111,6 +112,7 @@ pub(super) static MATT: Claim = Claim {
         )
     },
     pictures: None,
+    versions: None,
 };
 
 /// The share of the light that a matt surface sends back: the mean of what is seen, over directions weighted by their cosine.
@@ -154,6 +156,7 @@ pub(super) static LOST_ROW: Claim = Claim {
         )
     },
     pictures: None,
+    versions: None,
 };
 
 pub(super) static ROWS: Claim = Claim {
@@ -169,6 +172,7 @@ pub(super) static ROWS: Claim = Claim {
     code: &["canvas::row_from_j", "canvas::Image"],
     examine: rows,
     pictures: None,
+    versions: None,
 };
 
 fn rows() -> Examination {

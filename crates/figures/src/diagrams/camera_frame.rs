@@ -8,6 +8,7 @@ use sheet::{Ink, Sheet};
 use transforms::Basis;
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -39,6 +40,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
+    handles: without_handles,
 };
 
 /// How long the arrow of up is: longer than v, which it may cover.

@@ -8,6 +8,7 @@ use sheet::{Ink, Letters, Side};
 
 use super::slice::{N, WORDS, direction, sheet, tip};
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -27,6 +28,7 @@ pub(super) static FIGURE: Figure = Figure {
     )],
     size: (640, 480),
     draw,
+    handles: without_handles,
 };
 
 fn draw(values: &Values) -> Drawn {

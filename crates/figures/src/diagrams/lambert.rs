@@ -6,8 +6,9 @@ use sheet::crowd::Vector;
 use sheet::text::{decimal, degrees};
 use sheet::{Ink, Letters, Side};
 
-use super::slice::{N, WORDS, direction, sheet, tip};
+use super::slice::{N, THE_LIGHT, WORDS, direction, sheet, tip};
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::{Handled, Handles, with_handles};
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -27,13 +28,17 @@ pub(super) static FIGURE: Figure = Figure {
     )],
     size: (640, 480),
     draw,
+    handles,
 };
+
+/// The least y that is drawn: a little below the surface.
+const LOWEST: f32 = -0.12;
 
 fn draw(values: &Values) -> Drawn {
     let theta = values.number("theta");
     let l = direction(theta);
     let share = lambert(N, l);
-    let mut sheet = sheet(-0.12);
+    let mut sheet = sheet(LOWEST);
     let foot = vec2(0.0, share);
     sheet.line(tip(l), foot, Ink::C.pen().dashed());
     sheet.vectors(Vec2::ZERO, &[Vector::new("n", tip(N), Ink::B), Vector::new("l", tip(l), Ink::A)]);
@@ -61,5 +66,10 @@ fn draw(values: &Values) -> Drawn {
             "De eenheidsvector l staat {theta:.1}° van de normaal n; zijn projectie op n heeft lengte {share}."
         ),
     );
-    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
+    with_handles(vec![Drawing::only(alt, |alt| sheet.svg(alt))], handles(values))
+}
+
+fn handles(values: &Values) -> Handled {
+    let l = direction(values.number("theta"));
+    Ok(vec![Handles::on(&sheet(LOWEST), [(THE_LIGHT, &["theta"], tip(l))])])
 }

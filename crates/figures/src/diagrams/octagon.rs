@@ -9,6 +9,7 @@ use sheet::text::degrees;
 use sheet::{Ink, Letters, Sheet, Side};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -28,6 +29,7 @@ pub(super) static FIGURE: Figure = Figure {
     )],
     size: (640, 480),
     draw,
+    handles: without_handles,
 };
 
 /// The length of the normals, in radii of the circle.

@@ -7,6 +7,7 @@ use transforms::affine2::{scale, translate};
 use transforms::{ViewVolume, viewport};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -49,6 +50,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
+    handles: without_handles,
 };
 
 /// Not in the middle, so that no number stands for two things; near and far do not matter here.

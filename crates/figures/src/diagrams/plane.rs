@@ -6,6 +6,7 @@ use sheet::text::decimal;
 use sheet::{Ink, Letters, Sheet, Side};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
 
 /// The part of the plane that is drawn: β and γ between these.
@@ -38,6 +39,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
+    handles: without_handles,
 };
 
 fn draw(values: &Values) -> Drawn {

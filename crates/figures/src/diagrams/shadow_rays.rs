@@ -9,6 +9,7 @@ use raytrace::{Object, Ray, Shape, Surface, World, nearest};
 use sheet::{Ink, Letters, Sheet, Side};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -47,6 +48,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
+    handles: without_handles,
 };
 
 const CENTER: Vec3 = vec3(0.1, 1.5, 0.0);

@@ -49,3 +49,8 @@ pub(super) const fn eye(degrees: f32) -> Parameter {
     };
     Parameter::number("eye", label, degrees, -85.0, 85.0)
 }
+
+/// The handle of l.
+pub(super) const THE_LIGHT: Text = Text { en: "the light", nl: "het licht" };
+/// The handle of e.
+pub(super) const THE_EYE: Text = Text { en: "the eye", nl: "het oog" };

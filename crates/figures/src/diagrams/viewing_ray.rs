@@ -8,6 +8,7 @@ use sheet::{Ink, Sheet};
 use transforms::{Camera, Pipeline, ViewVolume};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -25,6 +26,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
+    handles: without_handles,
 };
 
 const WIDTH: u32 = 8;

@@ -8,6 +8,7 @@ use sheet::{Ink, Pen, Sheet};
 use transforms::ViewVolume;
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
 
 const fn edge(name: &'static str, label: Text, default: f32, least: f32, greatest: f32) -> Parameter {
@@ -38,6 +39,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
+    handles: without_handles,
 };
 
 fn draw(values: &Values) -> Drawn {

@@ -5,6 +5,7 @@ use shading::Shading;
 
 use super::studio::{Fault, scene, settings, shot};
 use crate::figure::{Drawing, Drawn, Figure, Text};
+use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -27,6 +28,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (480, 260),
     draw,
+    handles: without_handles,
 };
 
 fn draw(values: &Values) -> Drawn {

@@ -5,6 +5,7 @@ use scene::{Renderer, Settings};
 
 use super::studio::{Fault, scene, settings, shot};
 use crate::figure::{Drawing, Drawn, Figure, Text};
+use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -27,6 +28,7 @@ pub(super) static FIGURE: Figure = Figure {
     )],
     size: (300, 240),
     draw,
+    handles: without_handles,
 };
 
 /// One part of the lighting equation: its name, and how much there is of ambient light, diffuse and specular reflection.

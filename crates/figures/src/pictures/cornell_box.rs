@@ -3,6 +3,7 @@
 use scene::{Renderer, Settings, builtin, prepare, render};
 
 use crate::figure::{Drawing, Drawn, Figure, Text};
+use crate::handle::without_handles;
 use crate::parameter::Values;
 
 pub(super) static FIGURE: Figure = Figure {
@@ -16,6 +17,7 @@ pub(super) static FIGURE: Figure = Figure {
     parameters: &[],
     size: (480, 480),
     draw,
+    handles: without_handles,
 };
 
 fn draw(values: &Values) -> Drawn {

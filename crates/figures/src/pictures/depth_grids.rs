@@ -6,6 +6,7 @@ use sheet::{Ink, Letters, Sheet, Side};
 use zbuffer::{DepthBuffer, DepthFormat, ScreenTriangle, draw::draw as draw_triangle};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::on_screen;
 use crate::parameter::{Parameter, Values};
 
@@ -24,6 +25,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
+    handles: without_handles,
 };
 
 const DEPTH_OF_FIRST: Text = Text { en: "z of the first polygon", nl: "z van de eerste polygoon" };

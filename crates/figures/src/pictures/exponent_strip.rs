@@ -6,6 +6,7 @@ use scene::Renderer;
 
 use super::studio::{scene, settings, shot};
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -25,6 +26,7 @@ pub(super) static FIGURE: Figure = Figure {
     )],
     size: (960, 180),
     draw,
+    handles: without_handles,
 };
 
 fn draw(values: &Values) -> Drawn {

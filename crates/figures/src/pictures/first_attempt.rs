@@ -9,6 +9,7 @@ use transforms::{Camera, Pipeline, ViewVolume};
 
 use super::studio::Fault;
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -34,6 +35,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (360, 360),
     draw,
+    handles: without_handles,
 };
 
 fn draw(values: &Values) -> Drawn {

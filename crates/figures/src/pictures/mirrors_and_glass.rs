@@ -4,6 +4,7 @@ use scene::{Renderer, Settings};
 
 use super::studio::{Fault, built_in, settings, shot};
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -23,6 +24,7 @@ pub(super) static FIGURE: Figure = Figure {
     )],
     size: (400, 300),
     draw,
+    handles: without_handles,
 };
 
 fn draw(values: &Values) -> Drawn {

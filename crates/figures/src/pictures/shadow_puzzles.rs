@@ -4,6 +4,7 @@ use scene::{Loaded, Renderer, Settings};
 
 use super::studio::{Fault, built_in, scene, settings, shot};
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::parameter::Values;
 
 pub(super) static FIGURE: Figure = Figure {
@@ -17,6 +18,7 @@ pub(super) static FIGURE: Figure = Figure {
     parameters: &[],
     size: (360, 270),
     draw,
+    handles: without_handles,
 };
 
 struct Puzzle {

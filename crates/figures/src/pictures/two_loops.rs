@@ -4,6 +4,7 @@ use scene::{Renderer, Settings};
 
 use super::studio::{built_in, settings, shot};
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::parameter::Values;
 
 /// Colours that differ by less look the same: a step of an 8-bit file.
@@ -20,6 +21,7 @@ pub(super) static FIGURE: Figure = Figure {
     parameters: &[],
     size: (400, 300),
     draw,
+    handles: without_handles,
 };
 
 fn draw(values: &Values) -> Drawn {

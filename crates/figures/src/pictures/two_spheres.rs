@@ -4,6 +4,7 @@ use scene::Renderer;
 
 use super::studio::{built_in, painted_over, settings, shot};
 use crate::figure::{Drawing, Drawn, Figure, Text};
+use crate::handle::without_handles;
 use crate::parameter::Values;
 
 pub(super) static FIGURE: Figure = Figure {
@@ -17,6 +18,7 @@ pub(super) static FIGURE: Figure = Figure {
     parameters: &[],
     size: (400, 300),
     draw,
+    handles: without_handles,
 };
 
 fn draw(values: &Values) -> Drawn {

@@ -7,6 +7,7 @@ use zbuffer::depth_format::step_at;
 
 use super::studio::{Fault, scene, settings, shot};
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -35,6 +36,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (400, 300),
     draw,
+    handles: without_handles,
 };
 
 /// The far plane of the scene.

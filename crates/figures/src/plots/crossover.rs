@@ -16,6 +16,7 @@ use sheet::plot::{Axis, Kind, Plot, Series};
 use transforms::{Camera, Pipeline, ViewVolume};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -44,6 +45,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
+    handles: without_handles,
 };
 
 /// The slide's loop takes pixels × triangles steps; beyond this subdivision it would take seconds.

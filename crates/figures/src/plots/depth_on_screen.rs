@@ -7,6 +7,7 @@ use sheet::text::decimal;
 use transforms::{Camera, Pipeline, ViewVolume};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -35,6 +36,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
+    handles: without_handles,
 };
 
 fn draw(values: &Values) -> Drawn {

@@ -7,6 +7,7 @@ use sheet::plot::{Axis, Kind, Plot, Series};
 use sheet::text::decimal;
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -26,6 +27,7 @@ pub(super) static FIGURE: Figure = Figure {
     )],
     size: (640, 480),
     draw,
+    handles: without_handles,
 };
 
 /// The exponents, each twice the one before, from 4 to 1024.

@@ -10,6 +10,7 @@ use sheet::plot::{Axis, Kind, Plot, Series};
 use sheet::text::decimal;
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -32,6 +33,7 @@ pub(super) static FIGURE: Figure = Figure {
     )],
     size: (640, 480),
     draw,
+    handles: without_handles,
 };
 
 /// The angles between true and used normals of one mesh, in radians.

@@ -8,6 +8,7 @@ use zbuffer::draw::{Work, z_buffer};
 use zbuffer::{DepthBuffer, DepthFormat, ScreenTriangle};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::without_handles;
 use crate::on_screen;
 use crate::parameter::{Parameter, Values};
 
@@ -37,6 +38,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
+    handles: without_handles,
 };
 
 /// All pixels see the same layers, so few are enough.

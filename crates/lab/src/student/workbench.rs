@@ -156,11 +156,15 @@ impl Workbench {
 
 /// The features of this program, as cargo is asked for them.
 fn features() -> &'static [&'static str] {
-    match (cfg!(feature = "pictures"), cfg!(feature = "class")) {
-        (true, true) => &[],
-        (true, false) => &["--no-default-features", "--features", "pictures"],
-        (false, true) => &["--no-default-features", "--features", "class"],
-        (false, false) => &["--no-default-features"],
+    match (cfg!(feature = "pictures"), cfg!(feature = "class"), cfg!(feature = "live")) {
+        (true, true, true) => &[],
+        (false, false, false) => &["--no-default-features"],
+        (true, false, false) => &["--no-default-features", "--features", "pictures"],
+        (false, true, false) => &["--no-default-features", "--features", "class"],
+        (false, false, true) => &["--no-default-features", "--features", "live"],
+        (true, true, false) => &["--no-default-features", "--features", "pictures,class"],
+        (true, false, true) => &["--no-default-features", "--features", "pictures,live"],
+        (false, true, true) => &["--no-default-features", "--features", "class,live"],
     }
 }
 

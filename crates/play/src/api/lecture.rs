@@ -1,0 +1,70 @@
+//! What is there to see? Figures, claims, scenes and exercises, as their registries list them.
+
+use figures::claims::{self, Claim};
+use figures::{Figure, Parameter};
+use serde_json::{Value as Json, json};
+
+use super::text;
+use crate::Mine;
+
+/// Everything that the page can show.
+pub(crate) fn lecture(is_trusted: bool) -> Json {
+    let scenes = scene::builtin::all().iter();
+    json!({
+        "figures": figures::all().into_iter().map(figure).collect::<Vec<_>>(),
+        "claims": claims::all().into_iter().map(claim).collect::<Vec<_>>(),
+        "scenes": scenes.map(|scene| json!({ "name": scene.name, "summary": scene.summary })).collect::<Vec<_>>(),
+        "exercises": course::all().iter().map(exercise).collect::<Vec<_>>(),
+        "token": is_trusted,
+    })
+}
+
+fn figure(figure: &'static Figure) -> Json {
+    json!({
+        "stem": figure.stem(),
+        "numbers": figure.numbers,
+        "name": figure.name,
+        "title": text(figure.title),
+        "caption": text(figure.caption),
+        "parameters": figure.parameters.iter().map(parameter).collect::<Vec<_>>(),
+        "size": [figure.size.0, figure.size.1],
+        "mine": Mine::exercises_of(figure).iter().map(|exercise| exercise.name).collect::<Vec<_>>(),
+    })
+}
+
+fn parameter(parameter: &Parameter) -> Json {
+    json!({
+        "name": parameter.name,
+        "label": text(parameter.label),
+        "default": shortest(parameter.default),
+        "least": shortest(parameter.least),
+        "greatest": shortest(parameter.greatest),
+        "whole": parameter.whole,
+    })
+}
+
+/// A number with the digits that it takes to read it back as `f32`, and no more: 0.1, not 0.10000000149.
+pub(super) fn shortest(number: f32) -> f64 {
+    number.to_string().parse().unwrap_or(f64::from(number))
+}
+
+fn claim(claim: &'static Claim) -> Json {
+    json!({
+        "stem": claim.stem(),
+        "number": claim.number,
+        "quote": claim.quote,
+        "translation": claim.translation,
+        "truth": text(claim.truth),
+        "code": claim.code,
+        "erratum": claim.number.starts_with('E'),
+    })
+}
+
+fn exercise(exercise: &course::Exercise) -> Json {
+    json!({
+        "name": exercise.name,
+        "title": { "en": exercise.title.english, "nl": exercise.title.dutch },
+        "concept": exercise.concept.name(),
+        "path": exercise.path(),
+    })
+}
