@@ -161,7 +161,7 @@ fn step(words: Words, lines: Vec<Words>, depth: &DepthBuffer, depths: [f32; 3], 
         let corners = triangle.vertices.map(|vertex| vertex.position.truncate() + 0.5);
         sheet.polygon(&corners, ink.pen());
     }
-    Step::new(words).lines(lines).showing(Drawing::Lines(sheet.svg(&alt)))
+    Step::new(words).lines(lines).showing(Drawing::Lines(sheet::inside_a_page(&sheet.svg(&alt), &alt)))
 }
 
 fn cell(sheet: &mut Sheet, (i, j): (u32, u32), z: Option<f32>, depths: [f32; 3], now: Option<Now>) {

@@ -9,8 +9,8 @@ use zbuffer::painter::{Piece, Plan, Side, for_each_fragment, plan_within};
 use zbuffer::{ScreenTriangle, project, rasterize_rows};
 
 use super::{Drawing, Step, Told};
+use crate::api::drawings::png;
 use crate::story::names::Names;
-use crate::story::outside::data_address;
 use crate::{Look, Refusal, Stage};
 
 /// As wide as a step's picture is at most.
@@ -139,7 +139,7 @@ impl Canvas {
 
     /// The picture as it stands.
     fn step(&self, words: Words, lines: Vec<Words>) -> Result<Step, Refusal> {
-        Ok(Step::new(words).lines(lines).showing(Drawing::Picture(data_address(&self.image)?)))
+        Ok(Step::new(words).lines(lines).showing(Drawing::Picture(png(&self.image)?)))
     }
 }
 

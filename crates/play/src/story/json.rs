@@ -6,10 +6,7 @@ use serde_json::{Value as Json, json};
 use sheet::Words;
 use sheet::text::decimal;
 
-/// Words in both languages.
-pub(crate) fn words(words: &Words) -> Json {
-    json!({ "en": words.en, "nl": words.nl })
-}
+pub(crate) use crate::api::words;
 
 /// The shortest digits that read back to the same number; nothing for an infinity or a NaN, which JSON does not have.
 pub(crate) fn number(x: f32) -> Json {

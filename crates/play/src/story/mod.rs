@@ -11,7 +11,7 @@
 pub(crate) mod json;
 mod light;
 pub(crate) mod names;
-pub(crate) mod outside;
+mod outside;
 mod rays;
 pub(crate) mod subject;
 mod terms;

@@ -3,9 +3,6 @@
 mod overlay;
 mod place;
 
-use base64::Engine as _;
-use base64::prelude::BASE64_STANDARD;
-use canvas::{Format, Image};
 use scene::{Renderer, Settings, Show, render};
 use serde_json::{Value as Json, json};
 use sheet::Words;
@@ -15,6 +12,7 @@ use super::light::OnHit;
 use super::rays::Cast;
 use super::subject::Subject;
 use crate::Refusal;
+use crate::api::drawings::png;
 
 /// The size of the picture under the lines.
 const SIZE: (u32, u32) = (720, 450);
@@ -30,18 +28,11 @@ pub(super) fn seen(subject: &Subject, cast: &Cast, light: &OnHit) -> Result<Json
         show: Show::Color,
         ..subject.settings
     };
-    let picture = data_address(&render(&elsewhere, &settings, &|_| ())?.image)?;
+    let picture = png(&render(&elsewhere, &settings, &|_| ())?.image)?;
     let pipeline = elsewhere.pipeline(SIZE.0, SIZE.1)?;
     let alt = alt(cast, light);
     let svg = overlay::drawn(subject, cast, light, &pipeline, &picture).svg(&alt);
-    Ok(json!({ "svg": svg, "alt": words(&alt) }))
-}
-
-/// The picture as an address that holds it.
-pub(crate) fn data_address(image: &Image) -> Result<String, Refusal> {
-    let png =
-        canvas::codec::encode(image, Format::Png8).map_err(|error| Refusal(error.to_string().into()))?;
-    Ok(format!("data:image/png;base64,{}", BASE64_STANDARD.encode(png)))
+    Ok(json!({ "svg": sheet::inside_a_page(&svg, &alt), "alt": words(&alt) }))
 }
 
 fn alt(cast: &Cast, light: &OnHit) -> Words {
