@@ -103,6 +103,9 @@ impl Search<'_> {
                 if other.distance() + NEAR < best.distance() {
                     best = other;
                 }
+                if best.distance() <= NEAR {
+                    break;
+                }
             }
         }
         self.at(&best.point)
@@ -204,11 +207,12 @@ impl Search<'_> {
         }
     }
 
-    /// The best few of some values all over the ranges: more than one, since an angle is at both ends of its range.
+    /// The best few of some values all over the ranges: many, since at a pole all azimuths are at one place, and
+    /// an angle is at both ends of its range.
     fn scanned(&self) -> Vec<Tried> {
         /// For one parameter, and for each of two.
         const COUNTS: [usize; 2] = [17, 9];
-        const BEST: usize = 6;
+        const BEST: usize = 12;
         let last = if self.parameters.len() == 1 { COUNTS[0] - 1 } else { COUNTS[1] - 1 };
         let mut points = vec![Vec::new()];
         for (k, Parameter { least, greatest, .. }) in self.parameters.iter().enumerate() {

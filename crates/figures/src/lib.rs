@@ -35,6 +35,7 @@ pub use drag::{DragError, drag};
 pub use figure::{Content, Drawing, Drawn, Figure, Text, Words};
 pub use handle::{Handle, Handled, Handles};
 pub use parameter::{Parameter, ParameterError, Values};
+pub use pictures::depth_grids::{GRID, polygons_of_the_grids};
 
 /// Every figure, in the order of the lecture.
 #[must_use]

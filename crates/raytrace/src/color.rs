@@ -63,7 +63,8 @@ pub fn ray_color(world: &World, ray: &Ray, t0: f32, t1: f32, settings: &Settings
 }
 
 /// Whether light on the surface counts: glass lit from inside shows none.
-pub(crate) fn shows_light(world: &World, ray: &Ray, hit: &Hit) -> bool {
+#[must_use]
+pub fn shows_light(world: &World, ray: &Ray, hit: &Hit) -> bool {
     !matches!(world.surface(hit).optics, Optics::Glass { .. }) || hit.is_front(ray)
 }
 
@@ -127,6 +128,18 @@ impl LightingPoints {
         self.points[..self.count].iter().fold(Rgb::ZERO, |sum, (at, weight)| {
             sum + *weight * lit(material, std::slice::from_ref(light), highlight, at, |_| true)
         })
+    }
+}
+
+impl World {
+    /// Where the lighting model is evaluated for the light on a hit, and by how much each evaluation counts: at one point, or
+    /// at the three corners for Gouraud shading of a mesh (L37–L40).
+    ///
+    /// - `ray`: the one that hit, world space.
+    #[must_use]
+    pub fn lighting_points(&self, ray: &Ray, hit: &Hit) -> Vec<(SurfacePoint, f32)> {
+        let (points, count) = lighting_points(self, ray, hit);
+        points[..count].to_vec()
     }
 }
 

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use crate::fast::mesh::Leaves;
 use crate::query::Nearest;
 use crate::space::SpaceRay;
+use crate::triangle::TriangleHit;
 use crate::triangle::watertight::ShearedRay;
 
 /// A mesh with its own hierarchy of boxes, in its own space; put it in an `Arc` and use it in as many objects as you like.
@@ -54,19 +55,20 @@ impl TracedMesh {
 
     /// Offers every triangle that the ray hits, by the slide's loop over all of them (L43).
     pub(crate) fn nearest_brute(&self, ray: &SpaceRay, nearest: &mut Nearest) {
-        let ray = ShearedRay::new(ray);
-        for k in 0..self.mesh.len() {
-            if let Some(hit) = ray.hit(&self.mesh.triangle(k).corners()) {
-                nearest.offer(k as u32, hit);
-            }
+        for (k, hit) in self.hits(ray) {
+            nearest.offer(k, hit);
         }
+    }
+
+    /// Every triangle that the ray's line hits, in the order of the mesh.
+    pub(crate) fn hits(&self, ray: &SpaceRay) -> impl Iterator<Item = (u32, TriangleHit)> + '_ {
+        let ray = ShearedRay::new(ray);
+        (0..self.mesh.len()).filter_map(move |k| Some((k as u32, ray.hit(&self.mesh.triangle(k).corners())?)))
     }
 
     /// Whether the ray hits any triangle with t0 < t < t1, by the slide's loop.
     pub(crate) fn any_brute(&self, ray: &SpaceRay, t0: f32, t1: f32) -> bool {
-        let ray = ShearedRay::new(ray);
-        let hits = (0..self.mesh.len()).filter_map(|k| ray.hit(&self.mesh.triangle(k).corners()));
-        hits.into_iter().any(|hit| t0 < hit.t && hit.t < t1)
+        self.hits(ray).any(|(_, hit)| t0 < hit.t && hit.t < t1)
     }
 
     pub(crate) fn aabb(&self) -> Aabb {

@@ -106,6 +106,29 @@ pub fn nearest(world: &World, ray: &Ray, t0: f32, t1: f32) -> Option<Hit> {
     fast::nearest(world, ray, t0, t1).map(|met| world.hit(ray, &met))
 }
 
+/// Everything that the ray's line meets, −∞ < t < ∞, in the order in which the slide's loop comes to it (L43): object by
+/// object, triangle by triangle.
+///
+/// [`nearest_brute`] keeps the one with the smallest t between t0 and t1.
+#[must_use]
+pub fn all_met(world: &World, ray: &Ray) -> Vec<Met> {
+    let Some(ray) = SpaceRay::new(ray) else { return Vec::new() };
+    let mut all = Vec::new();
+    for (k, object) in world.objects().iter().enumerate() {
+        let ray = object.ray_from_world(&ray);
+        let met =
+            |triangle, hit: TriangleHit| Met { t: hit.t, object: k as u32, triangle, weights: hit.weights };
+        match object.shape() {
+            Shape::Mesh(traced) => all.extend(traced.hits(&ray).map(|(triangle, hit)| met(triangle, hit))),
+            shape => {
+                let hit = |t| met(0, TriangleHit { t, weights: Barycentric::A });
+                all.extend(shape.crossings(&ray).map(hit));
+            }
+        }
+    }
+    all
+}
+
 /// Whether anything is met with t0 < t < t1, by the slide's loop (L56).
 #[must_use]
 pub fn any_hit_brute(world: &World, ray: &Ray, t0: f32, t1: f32) -> bool {

@@ -377,3 +377,32 @@ fn rays_that_are_no_rays_give_no_nan() {
             ensure(slide.is_none_or(|hit| hit.t.is_finite()), || format!("{slide:?}"))
         });
 }
+
+#[test]
+fn the_nearest_of_all_that_is_met_is_the_nearest_hit() {
+    let inputs = strategy::ray(4.0);
+    let ball = Object::new(Shape::Sphere(Sphere::new(vec3(0.5, 0.0, -1.0), 1.5)), Mat4::IDENTITY, surfaces());
+    let floor =
+        Object::new(Shape::Plane(Plane::new(vec3(0.0, -1.0, 0.0), Vec3::Y)), Mat4::IDENTITY, surfaces());
+    let mesh = Arc::new(TracedMesh::new(shapes::icosphere(2).unwrap()));
+    let at = Mat4::from_translation(vec3(-1.0, 0.5, 0.25)) * Mat4::from_scale(vec3(1.0, 2.0, 0.5));
+    let mesh = Object::new(Shape::Mesh(mesh), at, surfaces());
+    let world = World::new(vec![ball.unwrap(), mesh.unwrap(), floor.unwrap()], Vec::new());
+    Law::new("the first of all that the line meets is the nearest hit").demand("several", 0.1).holds_for(
+        inputs,
+        |ray, seen| {
+            let (t0, t1) = (0.5, 20.0);
+            let all = raytrace::all_met(&world, &ray);
+            let between = all.iter().filter(|met| t0 < met.t && met.t < t1);
+            seen.class("several", between.clone().count() > 1);
+            // Of equal ones the first stays, as in the slide's loop.
+            let first = between.min_by(|a, b| a.t.total_cmp(&b.t)).map(|met| world.hit(&ray, met));
+            let nearest = nearest_brute(&world, &ray, t0, t1);
+            ensure(first == nearest, || format!("{first:?}, not {nearest:?}"))
+        },
+    );
+}
+
+fn surfaces() -> Vec<Surface> {
+    vec![Surface::default()]
+}

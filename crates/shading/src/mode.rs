@@ -13,6 +13,7 @@
 use canvas::Rgb;
 use geometry::Barycentric;
 use glam::Vec3;
+use lighting::SurfacePoint;
 
 use crate::{Facet, Lighting};
 
@@ -31,9 +32,12 @@ pub enum Shading {
 /// The colour of the whole triangle: the lighting model at its centroid, with its own normal (L37).
 #[must_use]
 pub fn flat_color(facet: &Facet, lighting: &Lighting) -> Rgb {
+    lighting.color(&facet.material, centroid(facet), facet.face_normal)
+}
+
+fn centroid(facet: &Facet) -> Vec3 {
     let third = 1.0 / 3.0;
-    let centroid = facet.corners.a * third + facet.corners.b * third + facet.corners.c * third;
-    lighting.color(&facet.material, centroid, facet.face_normal)
+    facet.corners.a * third + facet.corners.b * third + facet.corners.c * third
 }
 
 /// c₀, c₁, c₂: the colours at the three corners, with the vertex normals (L38).
@@ -116,6 +120,25 @@ impl<'a> Surface<'a> {
         }
     }
 
+    /// Where the lighting model was evaluated for that colour, and by how much each evaluation counts: the centroid for flat
+    /// shading, the three corners for Gouraud's, the point itself for Phong's.
+    #[must_use]
+    pub fn lighting_points(&self, weights: Barycentric) -> Vec<(SurfacePoint, f32)> {
+        let Self { facet, lighting, .. } = self;
+        match self.colors {
+            Colors::Flat(_) => vec![(lighting.surface_point(centroid(facet), facet.face_normal), 1.0)],
+            Colors::Gouraud(_) => {
+                let corners = facet.corners.corners().into_iter().zip(facet.corner_normals);
+                let points = corners.map(|(corner, n)| lighting.surface_point(corner, n));
+                points.zip(weights.to_vec3().to_array()).collect()
+            }
+            Colors::Phong => {
+                let (p_world, n) = (facet.corners.point(weights), interpolated_normal(facet, weights));
+                vec![(lighting.surface_point(p_world, n), 1.0)]
+            }
+        }
+    }
+
     /// The unit normal there, on the side of the eye: that of the triangle for flat shading, the interpolated one otherwise
     /// (Gouraud shading itself uses it at the corners only).
     #[must_use]
@@ -193,5 +216,26 @@ mod tests {
         assert_eq!(gouraud_colors(&facet, &lighting), [full, 0.8 * full, 0.6 * full]);
         let surface = Surface::new(Shading::Gouraud, facet, lighting);
         assert!(surface.color(MIDDLE).abs_diff_eq(0.9 * full, 1e-6));
+    }
+
+    #[test]
+    fn the_model_evaluated_at_the_lighting_points_gives_the_color() {
+        let lights = [Light::Point { position: vec3(1.0, 2.0, 4.0), color: vec3(1.0, 0.5, 2.0) }];
+        let facet = Facet {
+            corners: Triangle::new(Vec3::ZERO, vec3(3.0, 0.0, 0.0), vec3(0.0, 3.0, 0.0)),
+            face_normal: Vec3::Z,
+            corner_normals: [Vec3::Z, vec3(0.6, 0.0, 0.8), vec3(0.0, 0.8, 0.6)],
+            material: Material::new(vec3(0.5, 1.0, 0.25), 8.0),
+        };
+        let lighting = Lighting { lights: &lights, highlight: Highlight::Blinn, eye: vec3(1.0, 2.0, 5.0) };
+        let weights = Barycentric { alpha: 0.5, beta: 0.25, gamma: 0.25 };
+        for (shading, count) in [(Shading::Flat, 1), (Shading::Gouraud, 3), (Shading::Phong, 1)] {
+            let surface = Surface::new(shading, facet, lighting);
+            let points = surface.lighting_points(weights);
+            assert_eq!(points.len(), count);
+            let color = |at: &SurfacePoint| lighting.color(&facet.material, at.p_world, at.n);
+            let sum = points.iter().fold(Rgb::ZERO, |sum, (at, weight)| sum + color(at) * *weight);
+            assert_eq!(sum, surface.color(weights), "{shading:?}");
+        }
     }
 }

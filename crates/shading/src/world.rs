@@ -80,8 +80,13 @@ impl Lighting<'_> {
     /// At the eye itself, where the direction to it is undefined, the eye is taken to look along the normal.
     #[must_use]
     pub fn color(&self, material: &Material, p_world: Vec3, n: Vec3) -> Rgb {
-        let to_eye = (self.eye - p_world).normalize_or(n);
-        lit(material, self.lights, self.highlight, &SurfacePoint { p_world, n, to_eye }, |_| true)
+        lit(material, self.lights, self.highlight, &self.surface_point(p_world, n), |_| true)
+    }
+
+    /// The point as the lighting model sees it: with the direction to the eye.
+    #[must_use]
+    pub fn surface_point(&self, p_world: Vec3, n: Vec3) -> SurfacePoint {
+        SurfacePoint { p_world, n, to_eye: (self.eye - p_world).normalize_or(n) }
     }
 }
 

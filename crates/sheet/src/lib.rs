@@ -239,6 +239,16 @@ impl Sheet {
         self.put(html! { path d=(d) fill=(fill) shape-rendering="crispEdges" {} });
     }
 
+    /// A picture that fills the sheet, under what is drawn later; pale, so that lines and words stand out.
+    ///
+    /// - `address`: where the picture is; a `data:` address has it in the drawing itself.
+    pub fn picture(&mut self, address: &str, opacity: f32) {
+        let size = self.size();
+        self.put(html! {
+            image href=(address) width=(number(size.x)) height=(number(size.y)) opacity=(number(opacity)) {}
+        });
+    }
+
     /// A circle.
     pub fn circle(&mut self, center: Vec2, radius: f32, pen: Pen) {
         let (c, r) = (self.at(center), radius * self.scale);
@@ -424,6 +434,16 @@ mod tests {
         let mut sheet = Sheet::new(Vec2::ZERO, vec2(4.0, 2.0), 400.0);
         sheet.tile(vec2(1.0, 0.5), 0.25, [255, 128, 0]);
         assert!(sheet.svg(&"a tile".into()).contains("M100 150v-25h25v25z\" fill=\"#ff8000\""));
+    }
+
+    #[test]
+    fn a_picture_fills_the_sheet() {
+        let mut sheet = Sheet::new(vec2(-0.5, -0.5), vec2(3.5, 1.5), 400.0);
+        sheet.picture("data:image/png;base64,AA==", 0.5);
+        let svg = sheet.svg(&"a picture".into());
+        assert!(svg.contains(
+            "<image href=\"data:image/png;base64,AA==\" width=\"400\" height=\"200\" opacity=\"0.5\""
+        ));
     }
 
     #[test]

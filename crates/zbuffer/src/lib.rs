@@ -3,6 +3,7 @@
 //! - [`clip`]: cuts off what lies before the near plane or beyond the far one, before the division by w.
 //! - [`screen`]: triangles on the screen, in fixed-point pixels.
 //! - [`mod@rasterize`]: the pixels of a triangle, each sample on a shared edge exactly once.
+//! - [`mod@sample`]: the numbers behind that, for one pixel.
 //! - [`depth_buffer`]: the nearest depth so far (L16).
 //! - [`depth_format`]: a depth in 32, 24 or 16 bits, and what that cannot tell apart (L20).
 //! - [`mod@draw`]: the z-buffer algorithm of the slide (L16), and how often it computes a colour in vain (E16).
@@ -20,6 +21,7 @@ pub mod draw;
 pub mod fast;
 pub mod painter;
 pub mod rasterize;
+pub mod sample;
 pub mod screen;
 
 pub use clip::{ScreenPolygon, project, project_clip};

@@ -128,18 +128,28 @@ impl Setup {
     }
 
     /// The columns of the bounding box that are on the screen.
-    fn columns(&self, width: u32) -> Range<u32> {
+    pub(crate) fn columns(&self, width: u32) -> Range<u32> {
         pixels_between(self.lowest.x, self.highest.x, 0..width)
     }
 
     /// The rows of the bounding box that are among `rows`.
-    fn rows(&self, rows: Range<u32>) -> Range<u32> {
+    pub(crate) fn rows(&self, rows: Range<u32>) -> Range<u32> {
         pixels_between(self.lowest.y, self.highest.y, rows)
     }
 
-    fn edges_at(&self, i: u32, j: u32) -> [i64; 3] {
+    pub(crate) fn edges_at(&self, i: u32, j: u32) -> [i64; 3] {
         let center = I64Vec2::new(i.into(), j.into()) * SUBPIXELS;
         self.edges.each_ref().map(|edge| edge.at(center))
+    }
+
+    /// Which edges the triangle owns (E10).
+    pub(crate) fn owned_edges(&self) -> [bool; 3] {
+        self.edges.each_ref().map(|edge| edge.threshold == 0)
+    }
+
+    /// The affine weights of the vertices, from the edge functions.
+    pub(crate) fn screen_weights(&self, edges: [i64; 3]) -> [f64; 3] {
+        edges.map(|edge| edge as f64 * self.inv_doubled_area)
     }
 
     fn stepped_right(&self, edges: [i64; 3]) -> [i64; 3] {

@@ -32,18 +32,14 @@ const DEPTH_OF_FIRST: Text = Text { en: "z of the first polygon", nl: "z van de 
 const DEPTH_OF_SECOND: Text = Text { en: "z of the second polygon", nl: "z van de tweede polygoon" };
 const DEPTH_OF_THIRD: Text = Text { en: "z of the third polygon", nl: "z van de derde polygoon" };
 
-/// The slide's grid.
+/// The slide's grid: columns and rows.
+pub const GRID: (u32, u32) = (WIDTH, HEIGHT);
 const WIDTH: u32 = 6;
 const HEIGHT: u32 = 5;
 
 fn draw(values: &Values) -> Drawn {
     let [first, second, third] = ["first", "second", "third"].map(|name| values.number(name));
-    // Corners in pixels, y upwards: two rectangles from the lower left corner and a triangle that leaves the screen.
-    let polygons: [Vec<ScreenTriangle>; 3] = [
-        rectangle(first, vec2(3.5, 2.5)),
-        rectangle(second, vec2(5.5, 4.5)),
-        vec![triangle(third, [vec2(2.5, 5.0), vec2(-0.25, -0.5), vec2(8.0, -0.5)])],
-    ];
+    let polygons = polygons_of_the_grids([first, second, third]);
     let mut image = Image::new(WIDTH, HEIGHT, Rgb::ZERO);
     let mut depth = DepthBuffer::new(WIDTH, HEIGHT, DepthFormat::F32);
     let mut grids = vec![grid(&depth)];
@@ -96,6 +92,17 @@ fn draw_grid(sheet: &mut Sheet, grid: &[f32], k: usize, ink: impl Fn(f32) -> Ink
         let letters = if *z == 0.0 { Ink::Main } else { ink(*z) };
         sheet.label_sized(at + Vec2::splat(0.5), Side::Middle, z.to_string(), Letters::Plain, letters, 17.0);
     }
+}
+
+/// The slide's three polygons at these depths, in drawing order, each as triangles with corners in pixels, y upwards (L17): two
+/// rectangles from the lower left corner and a triangle that leaves the screen.
+#[must_use]
+pub fn polygons_of_the_grids([first, second, third]: [f32; 3]) -> [Vec<ScreenTriangle>; 3] {
+    [
+        rectangle(first, vec2(3.5, 2.5)),
+        rectangle(second, vec2(5.5, 4.5)),
+        vec![triangle(third, [vec2(2.5, 5.0), vec2(-0.25, -0.5), vec2(8.0, -0.5)])],
+    ]
 }
 
 /// A triangle of one depth.

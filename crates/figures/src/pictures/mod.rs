@@ -5,7 +5,7 @@ mod coarse_spheres;
 mod components;
 mod cornell_box;
 mod cycle;
-mod depth_grids;
+pub(crate) mod depth_grids;
 mod exponent_strip;
 mod first_attempt;
 mod flat_and_gouraud;

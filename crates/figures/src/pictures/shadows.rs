@@ -200,13 +200,6 @@ fn from_outside(lamp: Vec3) -> Result<Drawing, Fault> {
     sheet.dot(at(shadow), Ink::D);
     sheet.dot(at(lamp), Ink::A);
     sheet.label(at(lamp), Side::Right, Words::new("light", "licht"), Letters::Plain, Ink::A);
-    sheet.label(
-        at(shadow),
-        Side::BelowRight,
-        Words::new("its shadow", "zijn schaduw"),
-        Letters::Plain,
-        Ink::D,
-    );
     sheet.label(at(BALL), Side::Middle, Words::new("ball", "bol"), Letters::Plain, Ink::B);
     let alt = Words::new(
         format!(

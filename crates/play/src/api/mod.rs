@@ -1,7 +1,7 @@
 //! What can the page ask? One file a question.
 
 pub(crate) mod claim;
-mod drawings;
+pub(crate) mod drawings;
 pub(crate) mod figure;
 pub(crate) mod frame;
 pub(crate) mod lecture;

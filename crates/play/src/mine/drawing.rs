@@ -40,7 +40,8 @@ impl Drawn {
 
 /// Draws panels beside each other with both functions.
 pub(super) fn of_panels(exercise: &Exercise, panels: &[Panel], yours: &mut dyn Answerer) -> Drawn {
-    let questions: Vec<Vec<Value>> = panels.iter().flat_map(|panel| panel.questions.clone()).collect();
+    let questions: Vec<Vec<Value>> =
+        distinct(panels).flat_map(|(_, panel)| panel.questions.clone()).collect();
     let replies = match yours.ask(&questions) {
         Ok(replies) => replies,
         Err(fault) => return Drawn::nothing(Trouble::fault(&fault.0)),
@@ -61,15 +62,25 @@ fn value(reply: Reply) -> Option<Value> {
     if let Reply::Value(value) = reply { Some(value) } else { None }
 }
 
-/// Each panel by its own answers.
+/// The panels that ask something else than those before them, with their places: two views of the same answers are asked for once.
+fn distinct(panels: &[Panel]) -> impl Iterator<Item = (usize, &Panel)> {
+    panels.iter().enumerate().filter(|(place, _)| first_of(panels, *place) == *place)
+}
+
+/// The first panel that asks the same as this one.
+fn first_of(panels: &[Panel], place: usize) -> usize {
+    panels[..place].iter().position(|panel| panel.questions == panels[place].questions).unwrap_or(place)
+}
+
+/// Each panel by its own answers, or by those of the first that asks the same.
 fn painted(panels: &[Panel], answers: &[Option<Value>]) -> Vec<Dots> {
     let mut rest = answers;
-    let own = |panel: &Panel| {
-        let (own, others) = rest.split_at(panel.questions.len().min(rest.len()));
-        rest = others;
-        panel.painted(own)
-    };
-    panels.iter().map(own).collect()
+    let mut own: Vec<&[Option<Value>]> = vec![&[]; panels.len()];
+    for (place, panel) in distinct(panels) {
+        (own[place], rest) = rest.split_at(panel.questions.len().min(rest.len()));
+    }
+    let dots = |(place, panel): (usize, &Panel)| panel.painted(own[first_of(panels, place)]);
+    panels.iter().enumerate().map(dots).collect()
 }
 
 fn compared(yours: &[Dots], right: &[Dots], exposure: f32, trouble: Option<Trouble>) -> Drawn {

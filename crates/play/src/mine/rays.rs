@@ -9,16 +9,20 @@ use super::light::direction;
 use super::panel::{Panel, arguments};
 
 /// Pixels along each side of a picture; odd, so that one row of rays is level.
-const SIDE: u32 = 61;
+const SIDE: u32 = 51;
 
 /// A picture of three beside each other.
-const THIRD: u32 = 45;
+const THIRD: u32 = 39;
 
 /// Directions are not of length 1: who takes them for it is seen.
 const STEP: f32 = 1.5;
 
-/// Where a picture ends to the right and above, one unit before the eye.
+/// Where a picture ends to the right and above, one unit before the eye, if what is seen is near.
 const REACH: f32 = 0.75;
+
+/// The same, if it is farther than this.
+const FAR: f32 = 3.0;
+const FAR_REACH: f32 = 0.42;
 
 /// What a ray sees that hits nothing.
 const SKY: Rgb = Rgb::new(0.12, 0.18, 0.3);
@@ -31,7 +35,8 @@ fn place(side: u32, i: u32, j: u32) -> Vec2 {
 
 /// The ray of a pixel, looking along −z from an eye on the z axis.
 fn ray(side: u32, i: u32, j: u32, eye: Vec3) -> Ray {
-    Ray { origin: eye, direction: STEP * (REACH * place(side, i, j)).extend(-1.0) }
+    let reach = if eye.z > FAR { FAR_REACH } else { REACH };
+    Ray { origin: eye, direction: STEP * (reach * place(side, i, j)).extend(-1.0) }
 }
 
 /// Where a ray is after t steps.

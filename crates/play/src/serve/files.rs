@@ -31,6 +31,7 @@ files!(
     "loops.js",
     "measure.js",
     "mine.js",
+    "names.js",
     "net.js",
     "orbit.js",
     "panel.js",

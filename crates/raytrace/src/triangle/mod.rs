@@ -9,7 +9,8 @@ pub mod watertight;
 
 use geometry::{Barycentric, Ray, Triangle};
 
-pub use system::{Solution, System, cramer, elimination, inverse, system};
+pub use system::{RowOperation, Solution, System};
+pub use system::{cramer, elimination, elimination_watched, inverse, system};
 pub use watertight::watertight;
 
 /// Where a ray hits a triangle.
@@ -46,27 +47,48 @@ pub struct TriangleHit {
 /// ```
 #[must_use]
 pub fn raytri(ray: &Ray, triangle: &Triangle, t0: f32, t1: f32) -> Option<TriangleHit> {
+    raytri_or_exit(ray, triangle, t0, t1).ok()
+}
+
+/// At which of its exits [`raytri`] leaves (L53).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Exit {
+    /// The ray is parallel to the triangle's plane, or the triangle has no area (E11).
+    Parallel,
+    /// t is not in [t0, t1].
+    T,
+    /// γ is not in [0, 1].
+    Gamma,
+    /// β is not in [0, 1 − γ].
+    Beta,
+}
+
+/// [`raytri`], which says where it left.
+///
+/// # Errors
+/// The [`Exit`] that it took, if the ray misses.
+pub fn raytri_or_exit(ray: &Ray, triangle: &Triangle, t0: f32, t1: f32) -> Result<TriangleHit, Exit> {
     // The columns and the right-hand side of the system (L50); each unknown is a quotient of determinants (Cramer).
     let (to_b, to_c, d) = (triangle.a - triangle.b, triangle.a - triangle.c, ray.direction);
     let to_e = triangle.a - ray.origin;
     let determinant = to_b.dot(to_c.cross(d));
     if system::is_parallel(determinant, [to_b, to_c, d]) {
-        return None;
+        return Err(Exit::Parallel);
     }
     // "Not inside" instead of the slide's "outside": a NaN is not inside.
     let t = to_b.dot(to_c.cross(to_e)) / determinant;
     if !(t0 <= t && t <= t1) {
-        return None;
+        return Err(Exit::T);
     }
     let gamma = to_b.dot(to_e.cross(d)) / determinant;
     if !(0.0..=1.0).contains(&gamma) {
-        return None;
+        return Err(Exit::Gamma);
     }
     let beta = to_e.dot(to_c.cross(d)) / determinant;
     if !(0.0 <= beta && beta <= 1.0 - gamma) {
-        return None;
+        return Err(Exit::Beta);
     }
-    Some(TriangleHit { t, weights: Barycentric::from_beta_gamma(beta, gamma) })
+    Ok(TriangleHit { t, weights: Barycentric::from_beta_gamma(beta, gamma) })
 }
 
 #[cfg(test)]
@@ -105,6 +127,19 @@ mod tests {
             assert!((hit.t - 2.0 / 3.0).abs() < 4.0 * f32::EPSILON);
             assert!(ray.at(hit.t).abs_diff_eq(Vec3::splat(1.0 / 3.0), 8.0 * f32::EPSILON));
         }
+    }
+
+    #[test]
+    fn each_exit_is_taken_for_its_reason() {
+        let triangle = Triangle::new(vec3(0.0, 0.0, 1.0), vec3(4.0, 0.0, 1.0), vec3(0.0, 8.0, 1.0));
+        let down = |x, y| Ray::new(vec3(x, y, 7.0), vec3(0.0, 0.0, -2.0));
+        let exit = |ray: Ray| raytri_or_exit(&ray, &triangle, 0.0, 9.0).err();
+        assert_eq!(exit(Ray::new(vec3(1.0, 2.0, 7.0), vec3(1.0, 2.0, 0.0))), Some(Exit::Parallel));
+        assert_eq!(exit(Ray::new(vec3(1.0, 2.0, 7.0), vec3(0.0, 0.0, 2.0))), Some(Exit::T));
+        // Outside by both: γ is asked first.
+        assert_eq!(exit(down(-1.0, -1.0)), Some(Exit::Gamma));
+        assert_eq!(exit(down(3.0, 6.0)), Some(Exit::Beta));
+        assert_eq!(exit(down(1.0, 2.0)), None);
     }
 
     #[test]

@@ -88,6 +88,35 @@ pub fn inverse(system: &System) -> Option<Solution> {
 /// By Gaussian elimination with partial pivoting, then back-substitution (L51). `None` if parallel (E11).
 #[must_use]
 pub fn elimination(system: &System) -> Option<Solution> {
+    elimination_watched(system, |_, _| ())
+}
+
+/// What [`elimination`] does to the rows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum RowOperation {
+    /// Two rows change places, so that the largest pivot of the column comes up (or a row stays where it is).
+    Exchange {
+        /// The column of the pivot; its row is the one of the same number.
+        column: usize,
+        /// The row that had the largest.
+        with: usize,
+    },
+    /// A multiple of the pivot's row is taken from a row below, whose number in the pivot's column becomes 0.
+    Subtract {
+        /// The column of the pivot; its row is the one of the same number.
+        column: usize,
+        /// The row that changes.
+        from: usize,
+        /// How many times the pivot's row is taken.
+        factor: f32,
+    },
+}
+
+/// [`elimination`], which tells each operation with the rows after it: one row per equation, right-hand side last.
+pub fn elimination_watched(
+    system: &System,
+    mut watch: impl FnMut(RowOperation, &[[f32; 4]; 3]),
+) -> Option<Solution> {
     let columns = [system.matrix.x_axis, system.matrix.y_axis, system.matrix.z_axis];
     // One row per equation, right-hand side last.
     let mut rows: [[f32; 4]; 3] =
@@ -96,15 +125,19 @@ pub fn elimination(system: &System) -> Option<Solution> {
         // The largest pivot: dividing by a small one would magnify the rounding of everything below.
         let largest = (column..3).max_by(|&k, &l| rows[k][column].abs().total_cmp(&rows[l][column].abs()))?;
         rows.swap(column, largest);
+        watch(RowOperation::Exchange { column, with: largest }, &rows);
         let pivot_row = rows[column];
         if pivot_row[column] == 0.0 {
             return None;
         }
-        for row in &mut rows[column + 1..] {
-            let factor = row[column] / pivot_row[column];
+        for below in column + 1..3 {
+            let factor = rows[below][column] / pivot_row[column];
             for k in column..4 {
-                row[k] -= factor * pivot_row[k];
+                rows[below][k] -= factor * pivot_row[k];
             }
+            // That was the aim; what rounding leaves there is never asked for.
+            rows[below][column] = 0.0;
+            watch(RowOperation::Subtract { column, from: below, factor }, &rows);
         }
     }
     // The product of the pivots is the determinant, but for its sign.
@@ -160,6 +193,23 @@ mod tests {
                 assert_eq!(solve(&system(&ray, &triangle)), None);
             }
         }
+    }
+
+    #[test]
+    fn elimination_tells_what_it_does() {
+        // The largest of the first column is in the second row.
+        let matrix = Mat3::from_cols(vec3(1.0, 2.0, 0.0), vec3(4.0, -1.0, 3.0), vec3(2.0, 0.0, 1.0));
+        let mut told = Vec::new();
+        let solution =
+            elimination_watched(&System { matrix, rhs: vec3(4.0, 5.0, 0.0) }, |operation, rows| {
+                told.push((operation, *rows));
+            });
+        assert_eq!(solution, elimination(&System { matrix, rhs: vec3(4.0, 5.0, 0.0) }));
+        assert_eq!(told[0].0, RowOperation::Exchange { column: 0, with: 1 });
+        assert_eq!(told[0].1[0], [2.0, -1.0, 0.0, 5.0]);
+        assert_eq!(told[1].0, RowOperation::Subtract { column: 0, from: 1, factor: 0.5 });
+        assert_eq!(told[1].1[1], [0.0, 4.5, 2.0, 1.5]);
+        assert_eq!(told.len(), 6);
     }
 
     #[test]
