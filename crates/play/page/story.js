@@ -28,7 +28,7 @@ const zbufferTests = (tests) => table(T.tests,
   [T.order, T.triangle, T.edges, T.inside, same('α, β, γ'), same('z'), T.before, T.nearer, T.what],
   tests.map((test) => ({
     kind: test.nearer ? 'nearest' : test.inside ? '' : 'missed',
-    cells: [number(test.order), triangleOf(test), (test.edges ?? []).map((e) => number(e, 3)).join(', '), yesNo(test.inside),
+    cells: [String(test.order), triangleOf(test), (test.edges ?? []).map((e) => number(e, 3)).join(', '), yesNo(test.inside),
       test.weights ? test.weights.map((w) => number(w, 3)).join(', ') : '–', number(test.z, 5),
       number(test.before, 5), yesNo(test.inside ? test.nearer : null), test.words ?? same('')],
   })));
@@ -37,7 +37,7 @@ const rayTests = (tests) => table(T.tests,
   [T.order, T.triangle, same('t'), same('γ'), same('β'), T.inside, T.nearer, T.what],
   tests.map((test) => ({
     kind: test.nearer ? 'nearest' : test.inside ? '' : 'missed',
-    cells: [number(test.order), triangleOf(test), number(test.t), number(test.gamma, 3), number(test.beta, 3),
+    cells: [String(test.order), triangleOf(test), number(test.t), number(test.gamma, 3), number(test.beta, 3),
       yesNo(test.inside), yesNo(test.inside ? test.nearer : null), test.words ?? same(test.exit ?? '')],
   })));
 

@@ -27,13 +27,9 @@ fn the_camera_is_dragged_and_all_three_follow() {
 
 #[test]
 fn the_ray_tracer_refines_and_a_change_interrupts_it() {
-    visit("loops?scene=glass-and-mirror", async |page| {
-        // Changed while it refines: it begins anew, and comes to its end.
-        page.run(
-            "document.querySelector(\"select[data-test='shading'], [data-test='shading'] select\")?.focus()",
-            Vec::new(),
-        )
-        .await;
+    visit("loops?scene=glass-and-mirror&size=320x240", async |page| {
+        // Changed again before it has come to its end: it begins anew.
+        page.run("document.querySelector(\"[data-look='shadows']\").click()", Vec::new()).await;
         page.drag(ZBUFFER, (40.0, 0.0)).await;
         page.until(
             "the finished picture",

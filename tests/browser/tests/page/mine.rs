@@ -1,12 +1,27 @@
 //! A figure is drawn by the student's own function: right, wrong, not compiling, without end.
 
-use course::Exercise;
-
 use crate::visit::{Visit, visit};
 
-fn exercise() -> &'static Exercise {
-    course::find("phong_highlight").unwrap()
+/// The exercise that draws the highlights of L31.
+const FILE: &str = "lighting/phong_highlight.rs";
+
+/// Its file with this in the place of `todo!()`.
+fn solved(body: &str) -> String {
+    let stub = include_str!("../../../../exercises/lighting/phong_highlight.rs");
+    let text = stub.replace("todo!()", body);
+    assert_ne!(text, stub, "the exercise is handed out with todo!()");
+    text
 }
+
+/// As the lecture has it.
+const RIGHT: &str = "if n.dot(to_light) <= 0.0 { return Vec3::ZERO; }
+    let r = 2.0 * n.dot(to_light) * n - to_light;
+    c_l * to_eye.dot(r).max(0.0).powf(p)";
+
+/// Without the exponent.
+const WRONG: &str = "let r = 2.0 * n.dot(to_light) * n - to_light;
+    let _ = p;
+    c_l * to_eye.dot(r).max(0.0)";
 
 /// Waits for a state of the student's drawing.
 async fn is(page: &Visit, state: &str) {
@@ -22,16 +37,14 @@ async fn differs(page: &Visit) -> String {
 #[test]
 fn mine_is_right_then_wrong_and_redraws_on_save() {
     visit("L31-exponent-strip", async |page| {
-        let exercise = exercise();
-        page.stage.save(exercise, &exercise.submission(&exercise.reference).unwrap());
+        page.stage.save(FILE, &solved(RIGHT));
         page.click("[data-test='mine']").await;
         is(page, "drawn").await;
         let right = differs(page).await;
         assert!(right.starts_with('0'), "{right}");
         page.screenshot("mine-right").await;
         // A misconception, saved: the page draws it by itself.
-        let wrong = &exercise.misconceptions[0].program;
-        page.stage.save(exercise, &exercise.submission(wrong).unwrap());
+        page.stage.save(FILE, &solved(WRONG));
         page.until(
             "the wrong picture",
             "return !document.querySelector('[data-test=mine-differs]')?.textContent.startsWith('0')",
@@ -52,24 +65,21 @@ fn mine_is_right_then_wrong_and_redraws_on_save() {
 #[test]
 fn what_cannot_draw_says_so_and_the_page_lives_on() {
     visit("L31-exponent-strip", async |page| {
-        let exercise = exercise();
         page.click("[data-test='mine']").await;
         is(page, "not-started").await;
-        page.stage.save(exercise, "pub fn phong_highlight( { nonsense");
+        page.stage.save(FILE, "pub fn phong_highlight( { nonsense");
         is(page, "does-not-compile").await;
         assert!(page.text("section.mine pre").await.contains("error"));
         page.screenshot("mine-does-not-compile").await;
-        let head = exercise.stub.replace("todo!()", "panic!(\"not today\")");
-        assert_ne!(head, exercise.stub);
-        page.stage.save(exercise, &head);
+        page.stage.save(FILE, &solved("panic!(\"not today\")"));
         is(page, "panicked").await;
         assert!(page.text("section.mine").await.contains("not today"));
-        page.stage.save(exercise, &exercise.stub.replace("todo!()", "loop {}"));
+        page.stage.save(FILE, &solved("loop {}"));
         is(page, "timed-out").await;
         page.screenshot("mine-without-end").await;
         // And the figure still moves.
         page.drag("input[data-parameter='p']", (60.0, 0.0)).await;
-        page.stage.save(exercise, &exercise.submission(&exercise.reference).unwrap());
+        page.stage.save(FILE, &solved(RIGHT));
         is(page, "drawn").await;
     });
 }

@@ -81,6 +81,11 @@ impl Visit {
         self.settled().await;
     }
 
+    /// What there is to see, as the server lists it.
+    pub(crate) async fn lecture(&self) -> Json {
+        self.run("return fetch('/api/lecture').then((answer) => answer.json())", Vec::new()).await
+    }
+
     /// Runs a script in the page.
     pub(crate) async fn run(&self, script: &str, arguments: Vec<Json>) -> Json {
         self.browser.execute(script, arguments).await.unwrap()
