@@ -14,6 +14,9 @@ use crate::story::subject::Subject;
 /// How much of the picture's colour stays under the lines.
 const PALE: f32 = 0.62;
 
+/// The height of small letters in pixels.
+const LETTERS: f32 = 15.0;
+
 /// Lines over a picture, in its pixels.
 struct Overlay<'a> {
     sheet: Sheet,
@@ -72,7 +75,7 @@ impl Overlay<'_> {
                 format!("the window, drawn at t = {t} instead of 1"),
                 format!("het venster, getekend bij t = {t} in plaats van 1"),
             );
-            self.sheet.label_sized(lowest, Side::Below, words, Letters::Plain, Ink::B, 15.0);
+            self.sheet.label_sized(lowest, Side::Below, words, Letters::Plain, Ink::B, LETTERS);
         }
         // A pixel alone would be too small to see: as large as a fortieth of the window.
         let half = (subject.pipeline.width().max(subject.pipeline.height()) as f32 / 80.0).max(0.5);
@@ -110,6 +113,7 @@ impl Overlay<'_> {
     /// Solid to a light that arrives, broken to what stops it.
     fn shadows(&mut self, subject: &Subject, cast: &Cast, light: &OnHit) {
         let ends = ends_of_shadow_rays(light, room(subject, cast));
+        let mut labels: Vec<Vec2> = Vec::new();
         for (shadow, end) in light.shadows.iter().zip(ends) {
             let (Some(a), Some(b)) = (self.at(shadow.ray.origin), self.at(end)) else { continue };
             if shadow.is_lit() {
@@ -124,7 +128,17 @@ impl Overlay<'_> {
                 (Words::new(format!("light {number}: stopped"), format!("licht {number}: gestuit")), Ink::D)
             };
             let side = if b.x < a.x { Side::Left } else { Side::Right };
-            self.sheet.label_sized(b, side, words, Letters::Plain, ink, 15.0);
+            // Labels that would lie over each other stand under each other.
+            let lies_over = |place: Vec2, other: &Vec2| {
+                let apart = (place - *other).abs();
+                apart.x < 8.0 * LETTERS && apart.y < 1.2 * LETTERS
+            };
+            let mut place = b;
+            while labels.iter().any(|other| lies_over(place, other)) {
+                place.y -= 0.5 * LETTERS;
+            }
+            labels.push(place);
+            self.sheet.label_sized(place, side, words, Letters::Plain, ink, LETTERS);
         }
     }
 
@@ -134,7 +148,7 @@ impl Overlay<'_> {
         let tip = hit.point + 0.1 * room(subject, cast) * n;
         if let (Some(a), Some(b)) = (self.at(hit.point), self.at(tip)) {
             self.sheet.arrow(a, b, Ink::Main.pen());
-            self.sheet.label_sized(b, Side::Above, "n", Letters::Vector, Ink::Main, 15.0);
+            self.sheet.label_sized(b, Side::Above, "n", Letters::Vector, Ink::Main, LETTERS);
         }
     }
 

@@ -20,6 +20,9 @@ const MARGIN: f32 = 0.09;
 /// How many rays along each side of the window find out what the scene reaches to.
 const PROBES: u16 = 5;
 
+/// What is farther away than so many times the median of what is seen need not be in the picture.
+const MOST_OF_THE_MEDIAN: f32 = 1.5;
+
 /// How much of the way to a light is drawn, as a part of what the drawing shows.
 const OF_THE_WAY_TO_A_LIGHT: f32 = 0.22;
 
@@ -50,10 +53,11 @@ pub(super) fn end_of_ray(subject: &Subject, cast: &Cast) -> Vec3 {
 fn farthest_probe(subject: &Subject) -> f32 {
     let (t0, t1) = subject.interval();
     let met = probes(subject).filter_map(|ray| raytrace::nearest(&subject.world, &ray, t0, t1));
-    // A floor that runs to the horizon would make everything else small.
     let mut all: Vec<f32> = met.map(|hit| hit.t).collect();
     all.sort_by(f32::total_cmp);
-    all.get(all.len() / 2).copied().unwrap_or(t1)
+    // A floor that runs to the horizon would make everything else small.
+    let most = all.get(all.len() / 2).map_or(t1, |median| MOST_OF_THE_MEDIAN * median);
+    all.into_iter().rfind(|t| *t <= most).unwrap_or(t1)
 }
 
 fn probes(subject: &Subject) -> impl Iterator<Item = raytrace::Ray> + '_ {
