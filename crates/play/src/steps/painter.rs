@@ -158,10 +158,10 @@ fn beginning(plan: &Plan, on_screen: &OnScreen) -> Words {
     let (cycles, splits) = (plan.cycles.len(), plan.splits);
     Words::new(
         format!(
-            "The background. Of {triangles} triangles some hide each other in turn ({cycles} cycles): no order is right. {splits} cuts make {pieces} pieces of them, which have one."
+            "The background. Of {triangles} triangles some hide each other in turn (cycles: {cycles}): no order is right. {splits} cuts make {pieces} pieces of them, which have one."
         ),
         format!(
-            "De achtergrond. Van {triangles} driehoeken verbergen sommige elkaar over en weer ({cycles} cycli): geen volgorde is juist. {splits} sneden maken er {pieces} stukken van, die er wel een hebben."
+            "De achtergrond. Van {triangles} driehoeken verbergen sommige elkaar over en weer (cycli: {cycles}): geen volgorde is juist. {splits} sneden maken er {pieces} stukken van, die er wel een hebben."
         ),
     )
 }

@@ -2,6 +2,8 @@
 
 use canvas::Rgb;
 use raytrace::{Optics, ray_color};
+use scene::Named;
+use shading::Shading;
 use sheet::Words;
 use sheet::text::{decimal, degrees};
 
@@ -14,6 +16,9 @@ use super::zbuffer::{Loop, Shown, Test};
 /// Two colours count as one if no channel is more than so many of the 256 steps apart: light that two programs add up in
 /// different order can round to neighbouring steps.
 const SAME_STEPS: u8 = 1;
+
+/// Radians: normals less than a tenth of a degree apart are no reason.
+const LEAST_ANGLE: f32 = 1.7e-3;
 
 /// Whether both loops show one surface in one colour, and if not, why.
 pub(super) fn compared(
@@ -186,7 +191,7 @@ fn of_colors(subject: &Subject, rasterized: &Loop, cast: &Cast, light: &OnHit) -
 fn ball_normal(subject: &Subject, shown: &Shown, cast: &Cast) -> Option<Words> {
     let hit = cast.hit.as_ref()?;
     let n = subject.world.shading_normal(hit);
-    let angle = degrees(n.angle_between(shown.place.n));
+    let angle = n.angle_between(shown.place.n);
     let turned = |light: &&lighting::Light| {
         let faces = |p, n| {
             let arriving = light.illumination(p);
@@ -195,27 +200,26 @@ fn ball_normal(subject: &Subject, shown: &Shown, cast: &Cast) -> Option<Words> {
         faces(hit.point, n) != faces(shown.place.p_world, shown.place.n)
     };
     let behind = subject.world.lights.iter().any(|light| turned(&light));
-    let (en, nl) = if behind {
-        (
-            " One of them turns away from a light that the other faces.",
-            " De ene keert zich af van een lichtbron die de andere ziet.",
-        )
-    } else {
-        ("", "")
-    };
-    Some(Words::new(
+    let shading = subject.settings.shading;
+    if shading == Shading::Phong && angle < LEAST_ANGLE && !behind {
+        return None;
+    }
+    let (angle, name) = (degrees(angle), shading.name());
+    let (mut en, mut nl) = (
         format!(
-            "The ray tracer has the exact ball, with its own normal in each point; the z-buffer's triangles are shaded ({}), with a normal {angle} off.{en}",
-            shading_name(subject)
+            "The ray tracer has the exact ball and lights each point with its own normal; the z-buffer's triangles have {name} shading, with a normal {angle} off here."
         ),
         format!(
-            "De raytracer heeft de exacte bol, met zijn eigen normaal in elk punt; de driehoeken van de z-buffer zijn gearceerd ({}), met een normaal die {angle} afwijkt.{nl}",
-            shading_name(subject)
+            "De raytracer heeft de exacte bol en belicht elk punt met zijn eigen normaal; de driehoeken van de z-buffer hebben {name} shading, met een normaal die hier {angle} afwijkt."
         ),
-    ))
-}
-
-fn shading_name(subject: &Subject) -> &'static str {
-    use scene::Named;
-    subject.settings.shading.name()
+    );
+    if shading == Shading::Gouraud {
+        en += " They interpolate the colours of their corners.";
+        nl += " Die interpoleren de kleuren van hun hoekpunten.";
+    }
+    if behind {
+        en += " One of the two normals turns away from a light that the other faces.";
+        nl += " De ene normaal keert zich af van een lichtbron die de andere ziet.";
+    }
+    Some(Words::new(en, nl))
 }

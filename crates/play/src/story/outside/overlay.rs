@@ -2,16 +2,20 @@
 
 use glam::{Vec2, Vec3, vec2};
 use raytrace::viewing_ray;
+use sheet::text::decimal;
 use sheet::{Ink, Letters, Sheet, Side, Words};
 use transforms::Pipeline;
 
-use super::place::{end_of_ray, ends_of_shadow_rays, room, window};
+use super::place::{end_of_ray, ends_of_shadow_rays, room, t_of_window, window};
 use crate::story::light::OnHit;
 use crate::story::rays::Cast;
 use crate::story::subject::Subject;
 
 /// How much of the picture's colour stays under the lines.
 const PALE: f32 = 0.62;
+
+/// The height of small letters in pixels.
+const LETTERS: f32 = 15.0;
 
 /// Lines over a picture, in its pixels.
 struct Overlay<'a> {
@@ -32,7 +36,7 @@ pub(super) fn drawn(
     let mut sheet = Sheet::new(-half, vec2(width, height) - half, width);
     sheet.picture(picture, PALE);
     let mut overlay = Overlay { sheet, pipeline: outside };
-    overlay.window(subject);
+    overlay.window(subject, cast);
     overlay.ray(subject, cast);
     overlay.shadows(subject, cast, light);
     overlay.normal(subject, cast);
@@ -52,8 +56,9 @@ impl Overlay<'_> {
     }
 
     /// The window of the picture, with lines from the eye to its corners, and the pixel in it.
-    fn window(&mut self, subject: &Subject) {
-        let corners = window(&subject.pipeline);
+    fn window(&mut self, subject: &Subject, cast: &Cast) {
+        let t = t_of_window(subject, cast);
+        let corners = window(&subject.pipeline, t);
         let (Some(eye), Some(outline)) = (self.at(subject.pipeline.camera().eye()), self.corners(&corners))
         else {
             return;
@@ -63,11 +68,20 @@ impl Overlay<'_> {
         }
         self.sheet.wash(&outline, Ink::B);
         self.sheet.polygon(&outline, Ink::B.pen());
+        let lowest = outline.iter().copied().min_by(|a, b| a.y.total_cmp(&b.y));
+        if let (Some(lowest), true) = (lowest, t > 1.0) {
+            let t = decimal(t, 1);
+            let words = Words::new(
+                format!("the window, drawn at t = {t} instead of 1"),
+                format!("het venster, getekend bij t = {t} in plaats van 1"),
+            );
+            self.sheet.label_sized(lowest, Side::Below, words, Letters::Plain, Ink::B, LETTERS);
+        }
         // A pixel alone would be too small to see: as large as a fortieth of the window.
         let half = (subject.pipeline.width().max(subject.pipeline.height()) as f32 / 80.0).max(0.5);
         let (i, j) = (subject.i as f32, subject.j as f32);
         let around = [(-half, -half), (half, -half), (half, half), (-half, half)]
-            .map(|(x, y)| viewing_ray(&subject.pipeline, i + x, j + y).at(1.0));
+            .map(|(x, y)| viewing_ray(&subject.pipeline, i + x, j + y).at(t));
         if let Some(around) = self.corners(&around) {
             self.sheet.wash(&around, Ink::A);
             self.sheet.polygon(&around, Ink::A.pen().fine());
@@ -99,6 +113,7 @@ impl Overlay<'_> {
     /// Solid to a light that arrives, broken to what stops it.
     fn shadows(&mut self, subject: &Subject, cast: &Cast, light: &OnHit) {
         let ends = ends_of_shadow_rays(light, room(subject, cast));
+        let mut labels: Vec<Vec2> = Vec::new();
         for (shadow, end) in light.shadows.iter().zip(ends) {
             let (Some(a), Some(b)) = (self.at(shadow.ray.origin), self.at(end)) else { continue };
             if shadow.is_lit() {
@@ -108,18 +123,22 @@ impl Overlay<'_> {
             }
             let number: String = shadow.light.en.chars().filter(char::is_ascii_digit).collect();
             let (words, ink) = if shadow.is_lit() {
-                (Words::new(format!("to light {number}: free"), format!("naar licht {number}: vrij")), Ink::C)
+                (Words::new(format!("light {number}: free"), format!("licht {number}: vrij")), Ink::C)
             } else {
-                (
-                    Words::new(
-                        format!("to light {number}: stopped"),
-                        format!("naar licht {number}: gestuit"),
-                    ),
-                    Ink::D,
-                )
+                (Words::new(format!("light {number}: stopped"), format!("licht {number}: gestuit")), Ink::D)
             };
             let side = if b.x < a.x { Side::Left } else { Side::Right };
-            self.sheet.label_sized(b, side, words, Letters::Plain, ink, 15.0);
+            // Labels that would lie over each other stand under each other.
+            let lies_over = |place: Vec2, other: &Vec2| {
+                let apart = (place - *other).abs();
+                apart.x < 8.0 * LETTERS && apart.y < 1.2 * LETTERS
+            };
+            let mut place = b;
+            while labels.iter().any(|other| lies_over(place, other)) {
+                place.y -= 0.5 * LETTERS;
+            }
+            labels.push(place);
+            self.sheet.label_sized(place, side, words, Letters::Plain, ink, LETTERS);
         }
     }
 
@@ -129,13 +148,15 @@ impl Overlay<'_> {
         let tip = hit.point + 0.1 * room(subject, cast) * n;
         if let (Some(a), Some(b)) = (self.at(hit.point), self.at(tip)) {
             self.sheet.arrow(a, b, Ink::Main.pen());
-            self.sheet.label_sized(b, Side::Above, "n", Letters::Vector, Ink::Main, 15.0);
+            self.sheet.label_sized(b, Side::Above, "n", Letters::Vector, Ink::Main, LETTERS);
         }
     }
 
     fn names(&mut self, subject: &Subject, cast: &Cast) {
-        let s = cast.ray.at(1.0);
-        let mut names = vec![(cast.ray.origin, "e", Side::Above), (s, "s", Side::Above)];
+        let mut names = vec![(cast.ray.origin, "e", Side::Above)];
+        if t_of_window(subject, cast) == 1.0 {
+            names.push((cast.ray.at(1.0), "s", Side::Above));
+        }
         if cast.hit.is_some() {
             names.push((end_of_ray(subject, cast), "p", Side::BelowRight));
         }

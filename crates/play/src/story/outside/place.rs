@@ -20,13 +20,28 @@ const MARGIN: f32 = 0.09;
 /// How many rays along each side of the window find out what the scene reaches to.
 const PROBES: u16 = 5;
 
+/// What is farther away than so many times the median of what is seen need not be in the picture.
+const MOST_OF_THE_MEDIAN: f32 = 1.5;
+
 /// How much of the way to a light is drawn, as a part of what the drawing shows.
 const OF_THE_WAY_TO_A_LIGHT: f32 = 0.22;
 
-/// The corners of the window with the coordinates of the screen.
-pub(super) fn window(pipeline: &Pipeline) -> [Vec3; 4] {
+/// A window that takes up less than such a part of the way to the end of the ray would be too small to see.
+const LEAST_OF_THE_WAY: f32 = 0.08;
+
+/// Where a window too small to see is drawn instead, as a part of the way.
+const INSTEAD: f32 = 0.3;
+
+/// The t at which the window is drawn: 1, where it is, or farther along the rays through it if it would be too small there.
+pub(super) fn t_of_window(subject: &Subject, cast: &Cast) -> f32 {
+    let end = cast.hit.as_ref().map_or_else(|| farthest_probe(subject), |hit| hit.t);
+    if 1.0 < LEAST_OF_THE_WAY * end { INSTEAD * end } else { 1.0 }
+}
+
+/// The corners of the window, drawn at `t`.
+pub(super) fn window(pipeline: &Pipeline, t: f32) -> [Vec3; 4] {
     let (right, top) = (pipeline.width() as f32 - 0.5, pipeline.height() as f32 - 0.5);
-    [(-0.5, -0.5), (right, -0.5), (right, top), (-0.5, top)].map(|(i, j)| viewing_ray(pipeline, i, j).at(1.0))
+    [(-0.5, -0.5), (right, -0.5), (right, top), (-0.5, top)].map(|(i, j)| viewing_ray(pipeline, i, j).at(t))
 }
 
 /// Where the drawn part of the viewing ray ends: at the hit, or where the scene ends.
@@ -38,10 +53,11 @@ pub(super) fn end_of_ray(subject: &Subject, cast: &Cast) -> Vec3 {
 fn farthest_probe(subject: &Subject) -> f32 {
     let (t0, t1) = subject.interval();
     let met = probes(subject).filter_map(|ray| raytrace::nearest(&subject.world, &ray, t0, t1));
-    // A floor that runs to the horizon would make everything else small.
     let mut all: Vec<f32> = met.map(|hit| hit.t).collect();
     all.sort_by(f32::total_cmp);
-    all.get(all.len() * 3 / 4).copied().unwrap_or(t1)
+    // A floor that runs to the horizon would make everything else small.
+    let most = all.get(all.len() / 2).map_or(t1, |median| MOST_OF_THE_MEDIAN * median);
+    all.into_iter().rfind(|t| *t <= most).unwrap_or(t1)
 }
 
 fn probes(subject: &Subject) -> impl Iterator<Item = raytrace::Ray> + '_ {
@@ -57,7 +73,7 @@ fn probes(subject: &Subject) -> impl Iterator<Item = raytrace::Ray> + '_ {
 /// The points that must be seen.
 fn points(subject: &Subject, cast: &Cast) -> Vec<Vec3> {
     let mut points = vec![cast.ray.origin, end_of_ray(subject, cast)];
-    points.extend(window(&subject.pipeline));
+    points.extend(window(&subject.pipeline, t_of_window(subject, cast)));
     let reach = farthest_probe(subject);
     let (t0, t1) = subject.interval();
     for ray in probes(subject) {
@@ -98,17 +114,19 @@ pub(super) fn view(subject: &Subject, cast: &Cast, light: &OnHit) -> Result<View
     // The most visible; of equal ones the first.
     let places = [(1.0, 0.5), (-1.0, 0.5), (1.0, 0.9), (-1.0, 0.9), (0.6, 1.3), (-0.6, 1.3)];
     let mut best = from(places[0]);
-    let mut most = None;
-    for view in places.map(from) {
+    let mut most = (0, false);
+    for (k, view) in places.map(from).into_iter().enumerate() {
         let seen = visible_from(subject, cast, view.eye);
-        if most.is_none_or(|most| seen > most) {
-            (best, most) = (view, Some(seen));
+        if k == 0 || (seen.1, seen.0) > (most.1, most.0) {
+            (best, most) = (view, seen);
         }
     }
     closer(subject, &mut best, &points)?;
-    if most == Some(0) {
-        // Nothing of the ray is seen from anywhere: cut away what stands before it.
-        best.lens = lens(nearest_depth(&best, &points));
+    if !most.1 {
+        // The end of the ray is seen from nowhere: cut away what stands before the rays.
+        let mut rays = vec![cast.ray.origin, end_of_ray(subject, cast)];
+        rays.extend(ends_of_shadow_rays(light, room(subject, cast)));
+        best.lens = lens(nearest_depth(&best, &rays));
     }
     Ok(best)
 }
@@ -117,15 +135,15 @@ fn lens(near: Option<f32>) -> Lens {
     Lens::FieldOfView { degrees: FOV_DEGREES, near, far: None }
 }
 
-/// How many of a few points of the ray are seen from `eye`; its end counts most.
-fn visible_from(subject: &Subject, cast: &Cast, eye: Vec3) -> u32 {
+/// How many of a few points of the ray are seen from `eye`, and whether its end is.
+fn visible_from(subject: &Subject, cast: &Cast, eye: Vec3) -> (usize, bool) {
     const STEPS: u16 = 8;
     let end = end_of_ray(subject, cast);
     let seen = |p: Vec3| !any_hit(&subject.world, &raytrace::Ray::new(p, eye - p), 0.0, 1.0);
     let along = (0..STEPS).filter(|k| seen(cast.ray.origin.lerp(end, f32::from(*k) / f32::from(STEPS))));
     // A little before the surface, or the surface itself would be in the way.
     let just_before = end.lerp(cast.ray.origin, 1e-3);
-    along.count() as u32 + u32::from(STEPS) * u32::from(seen(just_before))
+    (along.count(), seen(just_before))
 }
 
 /// Goes nearer as long as all points stay in the picture.
