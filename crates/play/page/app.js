@@ -41,6 +41,8 @@ const find = (name, values) => {
 let turn = 0;
 
 const route = () => {
+  // The address may change before it is known what there is.
+  if (!lecture) return;
   address.forget();
   turn += 1;
   const its = turn;
@@ -72,6 +74,7 @@ const route = () => {
 /** After a step to another view the reader begins at its title. */
 const arrive = () => {
   route();
+  if (!lecture) return;
   window.scrollTo(0, 0);
   const heading = place.querySelector('h1');
   if (heading) {

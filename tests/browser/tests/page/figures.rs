@@ -8,6 +8,9 @@ const BALL: &str = "[data-test='drawings'] figure:nth-child(2) img";
 #[test]
 fn the_light_of_l27_is_dragged_and_the_shading_changes() {
     visit("L27", async |page| {
+        // At rest it is drawn as large as it is shown.
+        page.keys("r").await;
+        page.settled().await;
         let (theta, ball) = (page.parameter("theta").await, page.seen(BALL).await);
         page.screenshot("L27-at-rest").await;
         page.drag("[data-handle='0']", (-60.0, -60.0)).await;
@@ -28,9 +31,9 @@ fn p_is_scrubbed_in_l31_and_the_address_keeps_it() {
     visit("L31-exponent-strip", async |page| {
         const PICTURE: &str = "[data-test='drawings'] figure img";
         let (p, balls) = (page.parameter("p").await, page.seen(PICTURE).await);
-        page.drag("input[data-parameter='p']", (120.0, 0.0)).await;
+        page.drag("input[data-parameter='p']", (-60.0, 0.0)).await;
         let scrubbed = page.parameter("p").await;
-        assert!(scrubbed > p, "{scrubbed} is not above {p}");
+        assert!(scrubbed < p, "{scrubbed} is not below {p}");
         assert_ne!(page.seen(PICTURE).await, balls);
         let place = page.place().await;
         assert!(place.starts_with("L31-exponent-strip?") && place.contains("p="), "{place}");
@@ -51,7 +54,8 @@ fn what_has_a_place_is_dragged_there() {
     // The middle of a handle arrives where it was dragged to.
     visit("L48-barycentric-plane", async |page| {
         const MIDDLE: &str = "const b = document.querySelector(\"[data-handle='0']\").getBoundingClientRect(); \
-                              return [b.x + b.width / 2, b.y + b.height / 2]";
+                              const d = document.querySelector('.picture svg').getBoundingClientRect(); \
+                              return [b.x + b.width / 2 - d.x, b.y + b.height / 2 - d.y]";
         page.find("[data-handle='0']").await;
         let before = page.run(MIDDLE, Vec::new()).await;
         page.drag("[data-handle='0']", (70.0, -40.0)).await;

@@ -89,7 +89,11 @@ fn l17_is_stepped_through_forward_back_and_scrubbed() {
         .await;
         page.settled().await;
         assert_ne!(page.run(SAID, Vec::new()).await, second);
-        assert_eq!(page.run("return document.querySelector("[data-test=step-forward]").ariaDisabled === "true"", Vec::new()).await, true);
+        assert_eq!(
+            page.run("return document.querySelector('[data-test=step-forward]').ariaDisabled", Vec::new())
+                .await,
+            "true"
+        );
     });
 }
 

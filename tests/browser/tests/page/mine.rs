@@ -78,7 +78,7 @@ fn what_cannot_draw_says_so_and_the_page_lives_on() {
         is(page, "timed-out").await;
         page.screenshot("mine-without-end").await;
         // And the figure still moves.
-        page.drag("input[data-parameter='p']", (60.0, 0.0)).await;
+        page.drag("input[data-parameter='p']", (-60.0, 0.0)).await;
         page.stage.save(FILE, &solved(RIGHT));
         is(page, "drawn").await;
     });

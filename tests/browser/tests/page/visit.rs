@@ -104,21 +104,15 @@ impl Visit {
         }
     }
 
-    /// Waits until all that was asked for is shown.
+    /// Waits until all that was asked for is shown, and nothing more is asked: after a coarse picture comes a fine one.
     pub(crate) async fn settled(&self) {
-        self.until(
-            "the end of work",
-            "return document.querySelector('#main h1') && (document.documentElement.dataset.busy ?? 'false') === 'false'",
-        )
-        .await;
-        // What a timer does after the last answer: two frames.
-        self.browser
-            .execute_async(
-                "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => done()))",
-                Vec::new(),
-            )
-            .await
-            .unwrap();
+        const CALM: &str = "return document.querySelector('#main h1') && (document.documentElement.dataset.busy ?? 'false') === 'false'";
+        let mut calm = 0;
+        while calm < 4 {
+            self.until("the end of work", CALM).await;
+            tokio::time::sleep(Duration::from_millis(40)).await;
+            calm = if self.run(CALM, Vec::new()).await == true { calm + 1 } else { 0 };
+        }
     }
 
     /// The element of this selector; waits for it.
@@ -220,10 +214,17 @@ impl Visit {
         let mut asked = 0;
         for entry in self.log("performance").await {
             let message: Json = serde_json::from_str(entry["message"].as_str().unwrap()).unwrap();
-            if message["message"]["method"] == "Network.requestWillBeSent" {
-                let url = message["message"]["params"]["request"]["url"].as_str().unwrap().to_owned();
-                let is_ours = [self.stage.base(), "data:", "blob:"].iter().any(|ours| url.starts_with(ours));
-                assert!(is_ours, "a request left this host: {url}");
+            let parameters = &message["message"]["params"];
+            let ours = |url: &Json, more: &[&str]| {
+                let url = url.as_str().unwrap_or_default();
+                url.starts_with(self.stage.base()) || more.iter().any(|begin| url.starts_with(begin))
+            };
+            // The browser's own first tab is not the page.
+            if message["message"]["method"] == "Network.requestWillBeSent"
+                && ours(&parameters["documentURL"], &[])
+            {
+                let url = &parameters["request"]["url"];
+                assert!(ours(url, &["data:", "blob:"]), "a request left this host: {url}");
                 asked += 1;
             }
         }
