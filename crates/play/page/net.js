@@ -60,8 +60,10 @@ const send = async (path, body, signal) => {
 export const ask = async (path, body, signal) => (await send(path, body, signal)).said;
 
 /** A picture of a look, or rows of it: `{width, height, row, notes, micros, data}`. */
-export const frame = async (question, signal) => {
+export const frame = async (question, signal, ondrawn = () => {}) => {
   const { answer } = await send('/api/frame', question, signal);
+  // The picture is drawn, and on its way.
+  ondrawn();
   const header = (name) => Number(answer.headers.get(name) ?? 0);
   const notes = answer.headers.get('X-Notes');
   return {
@@ -74,7 +76,10 @@ export const frame = async (question, signal) => {
   };
 };
 
-/** A function that does `work` with the latest value it was given: never two at once, and none that is out of date. */
+/**
+ * A function that does `work` with the latest value it was given, and with none that is out of date. The next begins when the one before
+ * is done, or says that it can: `work(value, free)`.
+ */
 export const latest = (work) => {
   let running = false;
   let waiting = null;
@@ -83,15 +88,12 @@ export const latest = (work) => {
     while (waiting) {
       const [value] = waiting;
       waiting = null;
-      await work(value);
+      await new Promise((free) => { work(value, free).finally(free); });
     }
     running = false;
   };
-  const next = (value) => {
+  return (value) => {
     waiting = [value];
     if (!running) run();
   };
-  /** Whether a newer value waits already. */
-  next.waits = () => waiting !== null;
-  return next;
 };

@@ -1,5 +1,6 @@
 //! What does one of the three loops see? A picture, or some rows of it.
 
+use std::sync::LazyLock;
 use std::time::Instant;
 
 use canvas::srgb::EightBitSteps;
@@ -92,14 +93,24 @@ pub(crate) fn draw(stage: &Stage, asked: &Asked) -> Result<Frame, Refusal> {
     Ok(Frame { width, height, row, rgba, notes, micros: begun.elapsed().as_micros() })
 }
 
+/// So many pixels are encoded by one thread at a time.
+const STRETCH: usize = 1 << 14;
+
 /// Light as steps of a file, opaque.
 fn encoded(pixels: &[Rgb]) -> Vec<u8> {
-    static STEPS: std::sync::LazyLock<EightBitSteps> = std::sync::LazyLock::new(EightBitSteps::new);
+    static STEPS: LazyLock<EightBitSteps> = LazyLock::new(EightBitSteps::new);
     let steps = &*STEPS;
-    let mut rgba = vec![u8::MAX; 4 * pixels.len()];
-    rgba.par_chunks_exact_mut(4).with_min_len(1 << 14).zip(pixels).for_each(|(bytes, pixel)| {
-        for (byte, light) in bytes.iter_mut().zip(pixel.to_array()) {
-            *byte = steps.nearest(light);
+    let mut rgba = vec![0; 4 * pixels.len()];
+    rgba.par_chunks_mut(4 * STRETCH).zip(pixels.par_chunks(STRETCH)).for_each(|(bytes, pixels)| {
+        let encode = |light: Rgb| [light.x, light.y, light.z].map(|light| steps.nearest(light));
+        let mut last = (Rgb::ZERO, encode(Rgb::ZERO));
+        for (bytes, light) in bytes.chunks_exact_mut(4).zip(pixels) {
+            // Background and flat faces: a pixel is often the one before it.
+            if *light != last.0 {
+                last = (*light, encode(*light));
+            }
+            let [r, g, b] = last.1;
+            bytes.copy_from_slice(&[r, g, b, u8::MAX]);
         }
     });
     rgba

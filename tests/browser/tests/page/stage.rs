@@ -1,6 +1,7 @@
 //! What stands before a person sits down? A server with exercises of its own, and a browser that reaches nothing but this machine.
 
 use std::io::{BufRead, BufReader};
+use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::LazyLock;
@@ -41,6 +42,9 @@ pub(crate) struct Running(Child);
 
 impl Drop for Running {
     fn drop(&mut self) {
+        // The driver leaves its browser behind when it is killed: all of the group go.
+        let group = format!("-{}", self.0.id());
+        let _ = Command::new("kill").args(["-KILL", "--", &group]).stderr(Stdio::null()).status();
         let _ = self.0.kill();
         let _ = self.0.wait();
     }
@@ -49,7 +53,7 @@ impl Drop for Running {
 impl Running {
     /// Starts a program, and waits for the line of its output from which `find` reads something.
     fn start<T>(mut command: Command, find: impl Fn(&str) -> Option<T>) -> (Self, T) {
-        let spawned = command.stdout(Stdio::piped()).spawn();
+        let spawned = command.stdout(Stdio::piped()).process_group(0).spawn();
         let mut child = spawned.unwrap_or_else(|error| panic!("{command:?} does not start: {error}"));
         let output = child.stdout.take().expect("its output is taken");
         let running = Self(child);
