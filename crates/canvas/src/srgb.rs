@@ -87,15 +87,26 @@ pub fn from_u16(step: u16) -> f32 {
 /// time.
 #[derive(Clone, Debug)]
 pub struct EightBitSteps {
-    /// The least light of steps 1 to 255.
-    least: [f32; 255],
+    /// The least light of steps 1 to 255, and a light that none reaches.
+    least: [f32; 256],
+    /// The step of the darkest light of each of equally wide cells from 0 to 1: where to begin looking.
+    begin: [u8; CELLS + 1],
 }
+
+/// So narrow a cell meets at most one step, but for the first few.
+const CELLS: usize = 4096;
 
 impl EightBitSteps {
     /// Finds the least light of each step.
     #[must_use]
     pub fn new() -> Self {
-        Self { least: std::array::from_fn(|below| least_light_above(below as u8)) }
+        let mut least = [f32::INFINITY; 256];
+        for (below, least) in least.iter_mut().take(255).enumerate() {
+            *least = least_light_above(below as u8);
+        }
+        let darkest = |cell: usize| cell as f32 / CELLS as f32;
+        let step = |light: f32| least.partition_point(|least| *least <= light) as u8;
+        Self { least, begin: std::array::from_fn(|cell| step(darkest(cell))) }
     }
 
     /// The nearest step for an amount of light, as [`to_u8`] gives it.
@@ -107,9 +118,15 @@ impl EightBitSteps {
     /// assert_eq!(to_u8(0.2), 124);
     /// ```
     #[must_use]
+    #[inline]
     pub fn nearest(&self, linear: f32) -> u8 {
-        // A NaN is not at least anything: black.
-        self.least.partition_point(|least| *least <= linear) as u8
+        // Cells are powers of two apart, so that the cell is never one too high. A NaN becomes 0: black.
+        let clamped = linear.clamp(0.0, 1.0);
+        let mut step = self.begin[(clamped * CELLS as f32) as usize % (CELLS + 1)];
+        while self.least[usize::from(step)] <= clamped {
+            step += 1;
+        }
+        step
     }
 }
 

@@ -53,7 +53,7 @@ pub fn drag(
     let parameters: Vec<Parameter> = taken.moves.iter().filter_map(moved).collect();
     let scale = size / size.max_element();
     let start = parameters.iter().map(|parameter| values.number(parameter.name)).collect();
-    let mut search = Search { figure, values, which: (drawing, handle), scale, to, parameters };
+    let search = Search { figure, values, which: (drawing, handle), scale, to, parameters };
     Ok(search.nearest(start))
 }
 
@@ -91,14 +91,23 @@ impl Tried {
 }
 
 impl Search<'_> {
-    fn nearest(&mut self, start: Point) -> Values {
+    fn nearest(&self, start: Point) -> Values {
         let Some(here) = self.tried(start) else { return self.values.clone() };
-        let mut best = self.descended(here);
-        if best.distance() > NEAR {
-            let scanned = self.scanned().map(|start| self.descended(start));
-            best = scanned.filter(|other| other.distance() + EXACT < best.distance()).unwrap_or(best);
+        let mut best = self.best_neighbour(self.descended(here));
+        if self.parameters.iter().all(|parameter| parameter.whole) {
+            best = self.swept(best);
+        } else if best.distance() > NEAR {
+            for start in self.scanned() {
+                let other = self.descended(start);
+                // What is not clearly better is not worth a jump.
+                if other.distance() + NEAR < best.distance() {
+                    best = other;
+                }
+                if best.distance() <= NEAR {
+                    break;
+                }
+            }
         }
-        best = self.best_neighbour(best);
         self.at(&best.point)
     }
 
@@ -198,26 +207,42 @@ impl Search<'_> {
         }
     }
 
-    /// The best of some values all over the ranges; of a short list of whole numbers, all.
-    fn scanned(&self) -> Option<Tried> {
+    /// The best few of some values all over the ranges: many, since at a pole all azimuths are at one place, and
+    /// an angle is at both ends of its range.
+    fn scanned(&self) -> Vec<Tried> {
         /// For one parameter, and for each of two.
-        const COUNTS: [usize; 2] = [17, 5];
-        let numbers = |k: usize| -> Vec<f32> {
+        const COUNTS: [usize; 2] = [17, 9];
+        const BEST: usize = 12;
+        let last = if self.parameters.len() == 1 { COUNTS[0] - 1 } else { COUNTS[1] - 1 };
+        let mut points = vec![Vec::new()];
+        for (k, Parameter { least, greatest, .. }) in self.parameters.iter().enumerate() {
+            let number = |n: usize| self.allowed(k, least + n as f32 / last as f32 * (greatest - least));
+            let longer = |point: Point| (0..=last).map(move |n| [&point[..], &[number(n)]].concat());
+            points = points.into_iter().flat_map(longer).collect();
+        }
+        let mut tried: Vec<Tried> = points.into_iter().filter_map(|point| self.tried(point)).collect();
+        tried.sort_by(|a, b| a.distance().total_cmp(&b.distance()));
+        tried.truncate(BEST);
+        tried
+    }
+
+    /// All values of each whole parameter, one parameter after the other: where a pixel lies beyond its screen, a step
+    /// changes nothing.
+    fn swept(&self, start: Tried) -> Tried {
+        let mut best = start;
+        for k in 0..self.parameters.len() {
             let Parameter { least, greatest, .. } = self.parameters[k];
-            let last = COUNTS[self.parameters.len().min(2) - 1] - 1;
-            let number = |n: usize| least + n as f32 / last as f32 * (greatest - least);
-            (0..=last).map(|n| self.allowed(k, number(n))).collect()
-        };
-        let points: Vec<Point> = match self.parameters.len() {
-            0 => Vec::new(),
-            1 => numbers(0).into_iter().map(|x| vec![x]).collect(),
-            _ => {
-                let second = numbers(1);
-                numbers(0).into_iter().flat_map(|x| second.iter().map(move |y| vec![x, *y])).collect()
-            }
-        };
-        let tried = points.into_iter().filter_map(|point| self.tried(point));
-        tried.min_by(|a, b| a.distance().total_cmp(&b.distance()))
+            let values = (0..=(greatest - least) as usize).map(|n| least + n as f32);
+            let points = values.map(|value| {
+                let mut point = best.point.clone();
+                point[k] = value;
+                point
+            });
+            let tried = points.filter_map(|point| self.tried(point));
+            let nearest = tried.min_by(|a, b| a.distance().total_cmp(&b.distance()));
+            best = nearest.filter(|other| other.distance() + EXACT < best.distance()).unwrap_or(best);
+        }
+        best
     }
 
     /// Rounding may have missed the best whole numbers by one.

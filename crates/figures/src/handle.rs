@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use glam::{Mat4, Vec2, Vec3, vec2};
+use glam::{Vec2, Vec3, vec2};
 use sheet::{Sheet, Text, Words};
 use transforms::Pipeline;
 
@@ -69,16 +69,13 @@ impl Handles {
 /// Where a point of the world lies in the picture that a pipeline gives, as shares of its width and height from its top
 /// left corner; `None` behind the eye.
 pub(crate) fn in_picture(pipeline: &Pipeline, p_world: Vec3) -> Option<Vec2> {
-    let screen = pipeline.trace(p_world).screen?.truncate();
+    let traced = pipeline.trace(p_world);
+    // What is before the eye has a negative w (E2); what is behind it would land somewhere too.
+    let screen = traced.screen.filter(|_| traced.clip.w < 0.0)?.truncate();
     let size = vec2(pipeline.width() as f32, pipeline.height() as f32);
     // The screen begins half a pixel before the centre of pixel (0, 0), and j runs upwards.
     let share = (screen + 0.5) / size;
     Some(vec2(share.x, 1.0 - share.y))
-}
-
-/// Where the image of a point under `map` lies in the picture.
-pub(crate) fn mapped_in_picture(pipeline: &Pipeline, map: &Mat4, p: Vec3) -> Option<Vec2> {
-    in_picture(pipeline, map.project_point3(p))
 }
 
 #[cfg(test)]

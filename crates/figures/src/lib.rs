@@ -1,7 +1,8 @@
 //! How does each figure of the lecture come about, and is each sentence of it true?
 //!
-//! [`Figure`]s are functions from parameters to pictures and diagrams; [`all`] lists them. [`claims`] puts the lecture's
-//! sentences on trial. [`page`] makes one HTML page of both. Everything shown is computed by the concept crates.
+//! [`Figure`]s are functions from parameters to pictures and diagrams; [`all`] lists them. What has a place in a drawing is a
+//! [`Handle`], and [`drag()`] moves it. [`claims`] puts the lecture's sentences on trial. [`page`] makes one HTML page of both.
+//! Everything shown is computed by the concept crates.
 //!
 //! ```
 //! let figure = figures::find("L54")[0];
@@ -24,6 +25,7 @@ pub mod handle;
 pub mod page;
 pub mod parameter;
 
+mod ball;
 mod diagrams;
 mod on_screen;
 mod pictures;

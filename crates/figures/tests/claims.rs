@@ -124,6 +124,59 @@ fn what_can_be_seen_is_shown_as_two_pictures_that_differ() {
 }
 
 #[test]
+fn every_error_can_be_switched_between_the_slides_version_and_ours() {
+    for claim in all().into_iter().filter(|claim| claim.number.starts_with('E')) {
+        let stem = claim.stem();
+        assert!(claim.pictures.is_some() != claim.versions.is_some(), "{stem}: either pictures or versions");
+        let Some(versions) = claim.versions else { continue };
+        let [slide, right] = versions();
+        for (a, b) in [(&slide.says, &right.says), (&slide.gives, &right.gives)] {
+            assert!(a.en != b.en && a.nl != b.nl, "{stem}: twice {}", a.en);
+        }
+        for words in [&slide.says, &slide.gives, &right.says, &right.gives] {
+            assert!(!words.en.is_empty() && !words.nl.is_empty(), "{stem}");
+        }
+        // What is computed is the same in both languages.
+        for gives in [&slide.gives, &right.gives] {
+            assert_eq!(digits(&gives.en), digits(&gives.nl), "{stem}");
+        }
+    }
+}
+
+fn digits(words: &str) -> String {
+    words.chars().filter(char::is_ascii_digit).collect()
+}
+
+/// The two results of some errors, as they must come out.
+#[test]
+fn known_versions_come_out() {
+    for (name, slide, right) in [
+        ("r-minus-one", "becomes 5.0 wide", "becomes 2.0 wide"),
+        ("opposite-handedness", "det M = -1", "det M = 1"),
+        ("e-r-or-h-n", "0.613", "0.141"),
+        ("proportional-to-the-angle", "0.667", "0.500"),
+        ("no-falloff", "1.000", "0.250"),
+        ("between-0-and-1", "c = 1.96", "1.00 is shown"),
+        ("inclusive-inside-test", "14 hits", "7 hits"),
+        ("parallel-ray", ": hit", ": no hit"),
+        ("returns-no-t", "true and true", "t = 3 and t = 5"),
+        ("shadow-from-beyond-the-lamp", "in shadow", "lit"),
+        ("viewing-rays-from-zero", ": seen by rays, not seen", ": not seen by rays, not seen"),
+        ("saved-depth-never-set", "of 1600", ": 0 of 1600"),
+        ("shading-in-the-loop", "computed: 6", "computed: 1"),
+        ("one-letter-many-meanings", "8 letters for 21", "21 names for 21"),
+        ("matt-is-absorbed", "0.00 of the light", "0.80 of the light"),
+        ("grid-lost-a-row", "4 rows", "5 rows"),
+        ("rows-run-down", "row 0", "row 3"),
+    ] {
+        let versions = find(name)[0].versions.expect("two versions")();
+        for (version, expected) in versions.iter().zip([slide, right]) {
+            assert!(version.gives.en.contains(expected), "{name}: {} without {expected}", version.gives.en);
+        }
+    }
+}
+
+#[test]
 fn items_of_the_lecture_that_state_something_have_a_claim() {
     let items = [
         1, 2, 6, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 24, 25, 26, 27, 28, 29, 30, 31, 33, 35, 38,

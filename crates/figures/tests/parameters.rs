@@ -1,6 +1,6 @@
-//! Does every parameter of a figure matter?
+//! Does every parameter of a figure matter, and the size?
 
-use figures::{Drawing, Figure, Values};
+use figures::{Content, Drawing, Figure, Values};
 
 fn drawn(figure: &Figure, values: &Values) -> Vec<Drawing> {
     let drawings = (figure.draw)(values);
@@ -29,4 +29,20 @@ fn every_parameter_changes_something() {
             assert!(changes, "{} does not depend on {}", figure.stem(), parameter.name);
         }
     }
+}
+
+#[test]
+fn every_picture_has_the_size_that_is_asked_for() {
+    let mut pictures = 0;
+    for figure in figures::all() {
+        let mut values = Values::of(figure);
+        values.set_size(50, 34).unwrap();
+        for drawing in drawn(figure, &values) {
+            if let Content::Picture(image) = drawing.content {
+                assert_eq!((image.width(), image.height()), (50, 34), "{} {}", figure.stem(), drawing.name);
+                pictures += 1;
+            }
+        }
+    }
+    assert!(pictures > 30, "{pictures} pictures");
 }

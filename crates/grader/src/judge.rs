@@ -122,7 +122,7 @@ impl Judge {
     }
 
     /// Compiles files into one worker.
-    fn worker(&self, parts: &[Part<'_>]) -> Result<Worker, NotCompiled> {
+    pub(crate) fn worker(&self, parts: &[Part<'_>]) -> Result<Worker, NotCompiled> {
         let folder = fs::create_dir_all(&self.scratch)
             .and_then(|()| tempfile::Builder::new().prefix("worker-").tempdir_in(&self.scratch))
             .map_err(|e| {
@@ -164,6 +164,7 @@ impl Judge {
 }
 
 /// A compiled worker; its folder goes with it.
+#[derive(Debug)]
 pub(crate) struct Worker {
     pub(crate) program: PathBuf,
     _folder: tempfile::TempDir,
@@ -210,7 +211,7 @@ fn picture(exercise: &Exercise, examination: &Examination, mut process: Process)
 }
 
 /// What can be said of a file without compiling it.
-fn unreadable(file: &Path) -> Option<Outcome> {
+pub(crate) fn unreadable(file: &Path) -> Option<Outcome> {
     let missing = |why| Some(Outcome::Unreadable(why));
     match fs::metadata(file) {
         Err(e) if e.kind() == io::ErrorKind::NotFound => return missing(Unreadable::Missing),

@@ -1,6 +1,7 @@
 //! What is a submission worth, and what would help the one who wrote it?
 //!
 //! - [`Judge::judge`]: compiles one file against the [`Kit`], asks it in a process of its own, and says what came of it.
+//! - [`Judge::open`]: compiles it, to be asked anything else: to draw with it, say.
 //! - [`Judgement`]: the outcome, each law, the smallest counterexample, the misconception it looks like, a picture.
 //! - [`Token`]: repeats a judgement to the byte.
 //!
@@ -15,6 +16,7 @@ mod doubt;
 mod judge;
 mod judgement;
 mod kit;
+mod open;
 mod printed;
 mod process;
 mod running;
@@ -27,6 +29,7 @@ pub use doubt::Twice;
 pub use judge::{Judge, LONGEST_FILE};
 pub use judgement::{Forfeit, Judgement, LooksLike, Outcome, Unreadable, gave};
 pub use kit::{Build, Kit, KitError};
+pub use open::{Asked, Opened};
 pub use printed::{Output, Printed};
 pub use process::Limits;
 pub use token::{NoToken, Token, version};

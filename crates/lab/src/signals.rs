@@ -47,6 +47,7 @@ fn end(signal: i32) -> ! {
     use std::io::{IsTerminal, Write};
 
     crate::student::restore_terminal();
+    crate::live::abandon();
     let _no_new_file = crate::unfinished::abandon();
     if std::io::stderr().is_terminal() {
         // The line of the progress bar ends here; the prompt comes below it.

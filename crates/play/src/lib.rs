@@ -23,3 +23,7 @@ pub use look::{Look, Stage};
 pub use mine::Mine;
 pub use refusal::Refusal;
 pub use serve::{FIRST_PORT, Server, StartError};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeExamples;

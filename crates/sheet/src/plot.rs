@@ -80,24 +80,37 @@ const FEW_DECADES: f64 = 2.5;
 const MOST_DOTS: usize = 24;
 
 impl Plot {
+    /// Width and height of every plot, in pixels.
+    pub const SIZE: Vec2 = vec2(WIDTH, HEIGHT);
+
+    /// Where a point (x, y) lies: the shares of the plot's width and of its height from the top left corner.
+    ///
+    /// # Panics
+    /// As [`Plot::svg`].
+    pub fn share(&self, (p_x, p_y): (f64, f64)) -> Vec2 {
+        let (x, y) = self.scales();
+        Self::sheet().share(vec2(x.at(p_x), y.at(p_y)))
+    }
+
+    /// Plane coordinates are pixels.
+    fn sheet() -> Sheet {
+        Sheet::new(Vec2::ZERO, Self::SIZE, WIDTH)
+    }
+
+    fn scales(&self) -> (Scale, Scale) {
+        let points = || self.series.iter().flat_map(|series| &series.points);
+        let x = Scale::of(&self.x, points().map(|p| p.0), LEFT, WIDTH - RIGHT);
+        let y = Scale::of(&self.y, points().map(|p| p.1), BOTTOM, HEIGHT - TOP);
+        (x, y)
+    }
+
     /// The text of an SVG file. `alt` is what it says to somebody who cannot see it.
     ///
     /// # Panics
     /// If there is no point to plot: a plot of nothing is a mistake of the figure.
     pub fn svg(&self, alt: &Words) -> String {
-        let x = Scale::of(
-            &self.x,
-            self.series.iter().flat_map(|s| s.points.iter().map(|p| p.0)),
-            LEFT,
-            WIDTH - RIGHT,
-        );
-        let y = Scale::of(
-            &self.y,
-            self.series.iter().flat_map(|s| s.points.iter().map(|p| p.1)),
-            BOTTOM,
-            HEIGHT - TOP,
-        );
-        let mut sheet = Sheet::new(Vec2::ZERO, vec2(WIDTH, HEIGHT), WIDTH);
+        let (x, y) = self.scales();
+        let mut sheet = Self::sheet();
         self.draw_axes(&mut sheet, &x, &y);
         for series in &self.series {
             let points: Vec<Vec2> = series.points.iter().map(|p| vec2(x.at(p.0), y.at(p.1))).collect();

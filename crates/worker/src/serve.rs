@@ -58,6 +58,7 @@ fn answer_all(functions: &[Function]) -> std::io::Result<()> {
         system::limit_memory(memory)?;
     }
     let mut answers = system::open(&address)?;
+    system::end_with(&answers)?;
     let mut questions = BufReader::new(answers.try_clone()?);
     panic::set_hook(Box::new(remember));
     // What fails before this is not the student's doing.

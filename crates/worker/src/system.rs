@@ -11,7 +11,11 @@ mod here {
     use std::os::unix::net::UnixStream;
     use std::os::unix::process::ExitStatusExt;
     use std::process::{ExitStatus, Stdio};
+    use std::thread;
     use std::time::Instant;
+
+    use rustix::event::{PollFd, PollFlags, poll};
+    use rustix::io::Errno;
 
     /// Both directions in one.
     pub type Channel = UnixStream;
@@ -73,6 +77,31 @@ mod here {
         }
         Ok(())
     }
+
+    /// Ends this process, whatever it computes, once nobody holds the other end of the channel any more: whoever asked may have been killed, and
+    /// then ends no worker.
+    ///
+    /// # Errors
+    /// What duplicating the handle or starting a thread gives.
+    pub fn end_with(channel: &Channel) -> io::Result<()> {
+        let channel = channel.try_clone()?;
+        let watch = move || {
+            // Of nothing that is asked for: that the other end is gone is told in any case. Its writing alone may end before.
+            let mut watched = [PollFd::new(&channel, PollFlags::empty())];
+            loop {
+                match poll(&mut watched, None) {
+                    Ok(_) if watched[0].revents().contains(PollFlags::HUP) => std::process::exit(0),
+                    Ok(_) | Err(Errno::INTR) => {}
+                    // Then only whoever asked can end this process.
+                    Err(_) => return,
+                }
+            }
+        };
+        thread::Builder::new().name("watch".to_owned()).stack_size(WATCH).spawn(watch).map(drop)
+    }
+
+    /// The stack of the thread that waits for the end, in bytes: the least that a confined process may have.
+    const WATCH: usize = 1 << 20;
 
     /// Whether this is the signal of a limit of computing time. Its number is the same on every Unix.
     pub fn is_out_of_time(signal: i32) -> bool {
@@ -161,6 +190,14 @@ mod here {
         Ok(channel)
     }
 
+    /// Here a worker ends when it has answered and reads that nobody asks any more.
+    ///
+    /// # Errors
+    /// None here.
+    pub fn end_with(_channel: &Channel) -> io::Result<()> {
+        Ok(())
+    }
+
     /// Such a limit is a thing of Unix.
     ///
     /// # Errors
@@ -180,4 +217,4 @@ mod here {
     }
 }
 
-pub use here::{Channel, Offer, is_out_of_time, limit_memory, open, signal};
+pub use here::{Channel, Offer, end_with, is_out_of_time, limit_memory, open, signal};

@@ -8,7 +8,7 @@ use glam::{Vec3, vec3};
 use lighting::{halfway, reflect};
 
 use super::sample::Sequence;
-use super::{Claim, Examination, Verdict, measured, text};
+use super::{Claim, Examination, Verdict, measured, text, versions};
 
 pub(super) static R_IS_EXPENSIVE: Claim = Claim {
     number: "E5",
@@ -23,38 +23,50 @@ pub(super) static R_IS_EXPENSIVE: Claim = Claim {
     code: &["lighting::reflect", "lighting::halfway"],
     examine: r_is_expensive,
     pictures: None,
-    versions: None,
+    versions: Some(versions::cost),
 };
 
+/// To the eye, to the light, and the normal: which they are does not change how much is computed.
+pub(super) fn operands() -> [Vec3; 3] {
+    [vec3(0.6, 0.0, 0.8), vec3(0.0, 0.6, 0.8), Vec3::Z]
+}
+
 fn r_is_expensive() -> Examination {
-    let (e, l, n) = (vec3(0.6, 0.0, 0.8), vec3(0.0, 0.6, 0.8), Vec3::Z);
+    let [e, l, n] = operands();
     let [r, h] = [slide_r, slide_h].map(|form| {
         let count = Count::default();
         form(&count, e, l, n);
         count
     });
-    let costs =
-        |count: &Count| format!("{} operations, {} of them roots", count.all.get(), count.roots.get());
+    let costs = |count: &Count| format!("{} operations, {} of them roots", count.all(), count.roots());
     // Expensive: it costs at least half as much again as what replaces it. A root counts as one operation, though it takes
     // longer than a sum.
-    let is_expensive = 2 * r.all.get() > 3 * h.all.get();
+    let is_expensive = 2 * r.all() > 3 * h.all();
     measured(is_expensive, format!("r and e·r: {}; h and h·n: {}", costs(&r), costs(&h)))
         .compared(
             "the cost of r and e·r, where h and h·n have 1",
             "much more than 1 (“rekenintensief”)",
-            format!("{:.2}, by operations", f64::from(r.all.get()) / f64::from(h.all.get())),
+            format!("{:.2}, by operations", f64::from(r.all()) / f64::from(h.all())),
         )
         .noted(format!("{:.2} by time: medians of 61 rounds in turns, on this machine", ratio_of_times()))
 }
 
 /// Counts what is computed: sums, differences, products, quotients and roots.
 #[derive(Default)]
-struct Count {
+pub(super) struct Count {
     all: Cell<u32>,
     roots: Cell<u32>,
 }
 
 impl Count {
+    pub(super) fn all(&self) -> u32 {
+        self.all.get()
+    }
+
+    pub(super) fn roots(&self) -> u32 {
+        self.roots.get()
+    }
+
     fn one(&self, x: f32) -> f32 {
         self.all.set(self.all.get() + 1);
         x
@@ -76,14 +88,14 @@ impl Count {
 }
 
 /// e·r with r = 2(n·l)n − l.
-fn slide_r(count: &Count, e: Vec3, l: Vec3, n: Vec3) -> f32 {
+pub(super) fn slide_r(count: &Count, e: Vec3, l: Vec3, n: Vec3) -> f32 {
     let twice = count.one(2.0 * count.dot(n, l));
     let r = count.three(count.three(twice * n) - l);
     count.dot(e, r)
 }
 
 /// h·n with h = (e + l)/‖e + l‖.
-fn slide_h(count: &Count, e: Vec3, l: Vec3, n: Vec3) -> f32 {
+pub(super) fn slide_h(count: &Count, e: Vec3, l: Vec3, n: Vec3) -> f32 {
     let sum = count.three(e + l);
     let h = count.three(sum / count.root(count.dot(sum, sum)));
     count.dot(h, n)

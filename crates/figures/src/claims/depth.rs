@@ -10,7 +10,7 @@ use zbuffer::depth_format::step_at;
 use zbuffer::{DepthBuffer, DepthFormat, project, rasterize};
 
 use super::sample::{permutations, pipeline, trials};
-use super::{Claim, Examination, Trial, Verdict, judge, samples, text};
+use super::{Claim, Examination, Trial, Verdict, judge, samples, text, versions};
 
 pub(super) static INTERPOLATED: Claim = Claim {
     number: "L18",
@@ -197,7 +197,7 @@ fn object_order(triangles: &[Triangle], pipeline: &Pipeline) -> Winners {
 }
 
 /// What becomes of the saved depth of the slide's second loop.
-enum Saved {
+pub(super) enum Saved {
     /// As it must be.
     InitializedAndUpdated,
     /// As printed: nobody sets it, so it is what memory holds.
@@ -248,14 +248,8 @@ pub(super) static SAVED_DEPTH: Claim = Claim {
     expected: Verdict::Refuted,
     code: &["raytrace::triangle::watertight", "raytrace::nearest"],
     examine: || {
-        let pipeline = pipeline((vec3(0.5, 1.0, 7.0), Vec3::ZERO), 0.9, (-1.0, -20.0), (40, 40));
-        let mut random = super::sample::Sequence::new(45);
-        let triangles: Vec<Triangle> = (0..8).map(|_| random.triangle(2.5)).collect();
-        let right = image_order(&triangles, &pipeline, &Saved::InitializedAndUpdated);
-        let wrong = |garbage: f32| {
-            let slide = image_order(&triangles, &pipeline, &Saved::NeverSet(garbage));
-            slide.iter().zip(&right).filter(|(a, b)| a != b).count()
-        };
+        let right = eight_triangles(&Saved::InitializedAndUpdated);
+        let wrong = |garbage: f32| wrong_pixels(&Saved::NeverSet(garbage)).0;
         let trials: Vec<Trial> = [0.0, 3.0, f32::INFINITY]
             .into_iter()
             .map(|garbage| {
@@ -271,8 +265,22 @@ pub(super) static SAVED_DEPTH: Claim = Claim {
         )
     },
     pictures: None,
-    versions: None,
+    versions: Some(versions::saved_depth),
 };
+
+/// What the second loop shows of eight triangles.
+fn eight_triangles(saved: &Saved) -> Winners {
+    let pipeline = pipeline((vec3(0.5, 1.0, 7.0), Vec3::ZERO), 0.9, (-1.0, -20.0), (40, 40));
+    let mut random = super::sample::Sequence::new(45);
+    let triangles: Vec<Triangle> = (0..8).map(|_| random.triangle(2.5)).collect();
+    image_order(&triangles, &pipeline, saved)
+}
+
+/// How many pixels show another of the eight than the loop does with a depth that is kept, and how many pixels there are.
+pub(super) fn wrong_pixels(saved: &Saved) -> (usize, usize) {
+    let (shown, right) = (eight_triangles(saved), eight_triangles(&Saved::InitializedAndUpdated));
+    (shown.iter().zip(&right).filter(|(a, b)| a != b).count(), right.len())
+}
 
 pub(super) static SHADED_AGAIN: Claim = Claim {
     number: "E16",
@@ -287,16 +295,28 @@ pub(super) static SHADED_AGAIN: Claim = Claim {
     code: &["zbuffer::DepthBuffer::test_and_set", "zbuffer::draw::Work"],
     examine: shaded_again,
     pictures: None,
-    versions: None,
+    versions: Some(versions::shaded_again),
 };
+
+/// The colours that the loop computes for a pixel under layers in this order; the higher its number the nearer a layer.
+pub(super) fn colors_computed(order: &[usize]) -> usize {
+    let mut depth = DepthBuffer::new(1, 1, DepthFormat::F32);
+    order.iter().filter(|layer| depth.test_and_set(0, 0, **layer as f32 / 10.0)).count()
+}
+
+/// The pixels that show something after the loop: so many colours are needed.
+pub(super) fn visible_pixels(order: &[usize]) -> usize {
+    let mut depth = DepthBuffer::new(1, 1, DepthFormat::F32);
+    for layer in order {
+        depth.test_and_set(0, 0, *layer as f32 / 10.0);
+    }
+    usize::from(depth.get(0, 0).is_some())
+}
 
 fn shaded_again() -> Examination {
     const LAYERS: usize = 6;
     let orders = permutations(LAYERS);
-    let shaded = |order: &[usize]| {
-        let mut depth = DepthBuffer::new(1, 1, DepthFormat::F32);
-        order.iter().filter(|layer| depth.test_and_set(0, 0, **layer as f32 / 10.0)).count()
-    };
+    let shaded = colors_computed;
     let trials: Vec<Trial> = orders
         .iter()
         .map(|order| {

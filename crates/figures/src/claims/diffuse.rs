@@ -7,15 +7,15 @@ use lighting::{Highlight, Light, Material, Rgb, SurfacePoint, lambert, lit};
 use raytrace::optics::fresnel;
 
 use super::sample::{Sequence, short, trials};
-use super::{Claim, Examination, Trial, Verdict, judge, text};
+use super::{Claim, Examination, Trial, Verdict, judge, text, versions};
 
 /// What a surface with normal z at the origin shows.
-fn shown(material: &Material, lights: &[Light], to_eye: Vec3) -> Rgb {
+pub(super) fn shown(material: &Material, lights: &[Light], to_eye: Vec3) -> Rgb {
     let at = SurfacePoint { p_world: Vec3::ZERO, n: Vec3::Z, to_eye };
     lit(material, lights, Highlight::Phong, &at, |_| true)
 }
 
-fn sun(to_light: Vec3, color: Rgb) -> Light {
+pub(super) fn sun(to_light: Vec3, color: Rgb) -> Light {
     Light::Directional { to_light, color }
 }
 
@@ -222,14 +222,14 @@ pub(super) static ANGLE: Claim = Claim {
         )
     },
     pictures: None,
-    versions: None,
+    versions: Some(versions::angle),
 };
 
-fn slide_lambert(degrees: f32) -> f32 {
+pub(super) fn slide_lambert(degrees: f32) -> f32 {
     degrees / 90.0
 }
 
-fn by_cosine(degrees: f32) -> f32 {
+pub(super) fn by_cosine(degrees: f32) -> f32 {
     let (sin, cos) = degrees.to_radians().sin_cos();
     lambert(Vec3::Z, vec3(sin, 0.0, cos))
 }
@@ -264,17 +264,17 @@ pub(super) static NO_FALLOFF: Claim = Claim {
         )
     },
     pictures: None,
-    versions: None,
+    versions: Some(versions::falloff),
 };
 
 /// The intensity that the model takes, at a distance from a lamp of intensity 1.
-fn slide_intensity(distance: f32) -> f32 {
+pub(super) fn slide_intensity(distance: f32) -> f32 {
     let lamp = Light::Point { position: Vec3::Z * distance, color: Rgb::ONE };
     lamp.illumination(Vec3::ZERO).map_or(0.0, |light| light.color.x)
 }
 
 /// How much of all directions a small patch takes up, seen from the lamp: its area on the unit sphere.
-fn caught(distance: f32) -> f32 {
+pub(super) fn caught(distance: f32) -> f32 {
     let corner = |x: f32, y: f32| vec3(x, y, distance).normalize();
     Triangle::new(corner(0.0, 0.0), corner(0.01, 0.0), corner(0.0, 0.01)).area()
 }
@@ -292,7 +292,7 @@ pub(super) static BETWEEN_0_AND_1: Claim = Claim {
     code: &["lighting::lit", "canvas::srgb::encode"],
     examine: between_0_and_1,
     pictures: None,
-    versions: None,
+    versions: Some(versions::between_0_and_1),
 };
 
 fn between_0_and_1() -> Examination {

@@ -7,11 +7,11 @@ use lighting::{Rgb, blinn_highlight, halfway, lambert, phong_highlight, reflect}
 
 use super::sample::{pipeline, short, trials};
 use super::stage::SIZE;
-use super::{Claim, Trial, Verdict, judge, pair, text};
+use super::{Claim, Trial, Verdict, judge, pair, text, versions};
 use crate::{Drawing, Drawn};
 
 /// (h·n)^p as on the slide: no maximum, no gate.
-fn slide_blinn(n: Vec3, to_light: Vec3, to_eye: Vec3, p: f32) -> f32 {
+pub(super) fn slide_blinn(n: Vec3, to_light: Vec3, to_eye: Vec3, p: f32) -> f32 {
     ((to_eye + to_light) / (to_eye + to_light).length()).dot(n).powf(p)
 }
 
@@ -21,7 +21,7 @@ fn slide_phong(n: Vec3, to_light: Vec3, to_eye: Vec3, p: f32) -> f32 {
 }
 
 /// The light behind the surface z = 0, and an eye low before it: e ∝ (1, 0, 0.1), l ∝ (−0.5, 0, −0.2).
-fn behind() -> (Vec3, Vec3) {
+pub(super) fn behind() -> (Vec3, Vec3) {
     (vec3(1.0, 0.0, 0.1).normalize(), vec3(-0.5, 0.0, -0.2).normalize())
 }
 
@@ -109,7 +109,7 @@ pub(super) static A_NUMBER: Claim = Claim {
             )
     },
     pictures: None,
-    versions: None,
+    versions: Some(versions::a_number),
 };
 
 fn number_trial(e: Vec3, l: Vec3, p: f32) -> Trial {
@@ -261,11 +261,11 @@ pub(super) static SAME_HIGHLIGHT: Claim = Claim {
             )
     },
     pictures: None,
-    versions: None,
+    versions: Some(versions::same_highlight),
 };
 
 /// With l on the normal and e at 2ω from it: (e·r)^p, (h·n)^p, (h·n)^4p.
-fn at_omega(omega_degrees: f32, p: f32) -> [f32; 3] {
+pub(super) fn at_omega(omega_degrees: f32, p: f32) -> [f32; 3] {
     let (sin, cos) = (2.0 * omega_degrees).to_radians().sin_cos();
     let e = vec3(sin, 0.0, cos);
     [

@@ -21,6 +21,7 @@ mod shaded;
 mod stage;
 mod transform_errors;
 mod transform_laws;
+mod versions;
 mod window_errors;
 mod words;
 

@@ -12,7 +12,7 @@ use zbuffer::project;
 
 use super::sample::{Sequence, pipeline, trials};
 use super::stage::SIZE;
-use super::{Claim, Examination, Trial, Verdict, judge, pair, text};
+use super::{Claim, Examination, Trial, Verdict, judge, pair, text, versions};
 use crate::{Drawing, Drawn};
 
 /// The listing, word by word: comparisons that reject, and no test for a parallel ray.
@@ -39,7 +39,7 @@ pub(super) fn slide_raytri(ray: &Ray, triangle: &Triangle, t0: f32, t1: f32) -> 
 const NOT_PARALLEL: &str = "the ray is not parallel to the triangle";
 
 /// A triangle in the plane z = 0, and a ray through it or along that plane.
-fn flat_triangle() -> Triangle {
+pub(super) fn flat_triangle() -> Triangle {
     Triangle::new(vec3(0.0, 0.0, 0.0), vec3(4.0, 0.0, 0.0), vec3(0.0, 8.0, 0.0))
 }
 
@@ -85,8 +85,13 @@ pub(super) static PARALLEL: Claim = Claim {
             )
     },
     pictures: None,
-    versions: None,
+    versions: Some(versions::parallel),
 };
+
+/// A triangle across the z axis.
+pub(super) fn across(z: f32) -> Triangle {
+    Triangle::new(vec3(-9.0, -9.0, z), vec3(9.0, -9.0, z), vec3(0.0, 9.0, z))
+}
 
 pub(super) static RETURNS_NO_T: Claim = Claim {
     number: "E11",
@@ -100,14 +105,13 @@ pub(super) static RETURNS_NO_T: Claim = Claim {
     expected: Verdict::Refuted,
     code: &["raytrace::triangle::raytri"],
     examine: || {
-        let away = |z: f32| Triangle::new(vec3(-9.0, -9.0, z), vec3(9.0, -9.0, z), vec3(0.0, 9.0, z));
         let ray = Ray::new(Vec3::ZERO, vec3(0.0, 0.0, -2.0));
         let trials = trials(50, 122, |random| {
-            let (near, far) = (away(-random.between(1.0, 5.0)), away(-random.between(5.1, 9.0)));
+            let (near, far) = (across(-random.between(1.0, 5.0)), across(-random.between(5.1, 9.0)));
             let answers = [near, far].map(|triangle| slide_raytri(&ray, &triangle, 0.0, 99.0));
             Trial::new(answers[0] != answers[1], format!("both answers are {}", answers[0]))
         });
-        let two = [away(-6.0), away(-10.0)];
+        let two = [across(-6.0), across(-10.0)];
         let slide = two.map(|triangle| slide_raytri(&ray, &triangle, 0.0, 99.0));
         let right = two.map(|triangle| raytri(&ray, &triangle, 0.0, 99.0).map(|hit| hit.t));
         judge("the answer tells the nearer of two triangles", None, &trials).compared(
@@ -117,7 +121,7 @@ pub(super) static RETURNS_NO_T: Claim = Claim {
         )
     },
     pictures: None,
-    versions: None,
+    versions: Some(versions::returns_no_t),
 };
 
 fn ball() -> World {
@@ -235,11 +239,11 @@ pub(super) static BEYOND_THE_LAMP: Claim = Claim {
             )
     },
     pictures: None,
-    versions: None,
+    versions: Some(versions::beyond_the_lamp),
 };
 
 /// Whether a point of the floor z = 0 is lit by a lamp above it: with t up to ∞, and with t up to the lamp.
-fn lamp_and_wall(random: &mut Sequence, lamp_z: f32, wall_z: Option<f32>) -> (bool, bool) {
+pub(super) fn lamp_and_wall(random: &mut Sequence, lamp_z: f32, wall_z: Option<f32>) -> (bool, bool) {
     let object = |z: f32, n: Vec3| {
         let plane = geometry::Plane::new(vec3(0.0, 0.0, z), n);
         Object::new(Shape::Plane(plane), Mat4::IDENTITY, vec![Surface::default()]).expect("a plane")
@@ -273,7 +277,7 @@ pub(super) static VIEWING_INTERVAL: Claim = Claim {
     code: &["raytrace::visible_interval", "zbuffer::project"],
     examine: viewing_interval,
     pictures: None,
-    versions: None,
+    versions: Some(versions::viewing_interval),
 };
 
 fn viewing_interval() -> Examination {
@@ -302,7 +306,7 @@ fn viewing_interval() -> Examination {
 }
 
 /// Whether a wall across the gaze is seen by rays with t in [0, ∞], by rays with t in (1, f/n), and by the z-buffer.
-fn who_sees(pipeline: &Pipeline, distance: f32) -> (bool, bool, bool) {
+pub(super) fn who_sees(pipeline: &Pipeline, distance: f32) -> (bool, bool, bool) {
     let size = 3.0 * distance;
     let corner = |x: f32, y: f32| vec3(x * size, y * size, -distance);
     let wall = Triangle::new(corner(-1.0, -1.0), corner(1.0, -1.0), corner(0.0, 1.0));

@@ -11,7 +11,7 @@ use super::flat::triangle;
 use super::ray_errors::slide_raytri;
 use super::sample::{pipeline, trials};
 use super::stage::{SIZE, SKY};
-use super::{Claim, Trial, Verdict, judge, pair, text};
+use super::{Claim, Trial, Verdict, judge, pair, text, versions};
 use crate::{Drawing, Drawn};
 
 pub(super) static INSIDE: Claim = Claim {
@@ -65,8 +65,14 @@ fn slide_strict(ray: &Ray, triangle: &Triangle) -> bool {
     cramer(&system(ray, triangle)).is_some_and(|x| x.beta > 0.0 && x.gamma > 0.0 && x.beta + x.gamma < 1.0)
 }
 
-fn slide_inclusive(ray: &Ray, triangle: &Triangle) -> bool {
+pub(super) fn slide_inclusive(ray: &Ray, triangle: &Triangle) -> bool {
     slide_raytri(ray, triangle, 0.0, f32::INFINITY)
+}
+
+/// How many points of the common edge there are, and how many triangles have one of them, by this test.
+pub(super) fn edge_owners(test: impl Fn(&Ray, &Triangle) -> bool) -> (usize, usize) {
+    let on_the_edge: Vec<Vec2> = points().into_iter().filter(|p| p.x == p.y).collect();
+    (on_the_edge.len(), on_the_edge.iter().map(|p| owners(&test, *p)).sum())
 }
 
 /// Points of the square on a grid of eighths, which are exact: each seventh of them on the diagonal.
@@ -83,9 +89,6 @@ fn ownership(test: fn(&Ray, &Triangle) -> bool) -> super::Examination {
         })
         .collect();
     let right = |ray: &Ray, triangle: &Triangle| watertight(ray, triangle, 0.0, f32::INFINITY).is_some();
-    let sum = |test: &dyn Fn(&Ray, &Triangle) -> bool| -> usize {
-        points().into_iter().filter(|p| p.x == p.y).map(|p| owners(test, p)).sum()
-    };
     let mut ours: Vec<Trial> = points()
         .into_iter()
         .map(|p| Trial::new(owners(right, p) == 1, format!("{p} lies in {} triangles", owners(right, p))))
@@ -104,9 +107,9 @@ fn ownership(test: fn(&Ray, &Triangle) -> bool) -> super::Examination {
     judge("a point of the square lies in exactly one of its two triangles", Some(OFF_THE_EDGE), &trials)
         .with_right("by the watertight test and by the top-left rule it does, on the edge too", &ours)
         .compared(
-            "7 rays at the common edge of two triangles",
-            format!("{} hits", sum(&test)),
-            format!("{} hits, one each", sum(&right)),
+            format!("{} rays at the common edge of two triangles", edge_owners(test).0),
+            format!("{} hits", edge_owners(test).1),
+            format!("{} hits, one each", edge_owners(right).1),
         )
 }
 
@@ -140,7 +143,7 @@ pub(super) static INCLUSIVE: Claim = Claim {
     examine: || ownership(slide_inclusive),
     // The pair of the strict test shows this one too.
     pictures: None,
-    versions: None,
+    versions: Some(versions::inclusive),
 };
 
 /// Screen pixels of the enlarged picture of an edge.

@@ -11,7 +11,7 @@ use transforms::Pipeline;
 
 use super::sample::{pipeline, short, trials};
 use super::stage::SIZE;
-use super::{Claim, Examination, Trial, Verdict, judge, measured, pair, text};
+use super::{Claim, Examination, Trial, Verdict, judge, measured, pair, text, versions};
 use crate::{Drawing, Drawn};
 
 const EYE: Vec3 = Vec3::new(0.0, 0.0, 4.0);
@@ -36,7 +36,7 @@ fn view(size: (u32, u32)) -> Pipeline {
     pipeline((EYE, Vec3::ZERO), 0.6, (-1.0, -9.0), size)
 }
 
-fn sphere(level: u32) -> Mesh {
+pub(super) fn sphere(level: u32) -> Mesh {
     icosphere(level).expect("a sphere of a low level")
 }
 
@@ -107,7 +107,7 @@ pub(super) static FINER_MESH: Claim = Claim {
 };
 
 /// How far the colours are from those of the exact sphere, on average over the pixels that show the mesh.
-fn mean_error(mesh: &Mesh, shading: Shading) -> f32 {
+pub(super) fn mean_error(mesh: &Mesh, shading: Shading) -> f32 {
     let frame = ball(mesh, shading, Highlight::Blinn, (60, 60));
     let objects = [Object { mesh, world_from_object: Mat4::IDENTITY, materials: &[glossy()] }];
     let (mut sum, mut count) = (0.0, 0.0_f32);
@@ -299,7 +299,7 @@ pub(super) static CAPTION: Claim = Claim {
     code: &["shading::Shading"],
     examine: caption,
     pictures: None,
-    versions: None,
+    versions: Some(versions::caption),
 };
 
 fn caption() -> Examination {

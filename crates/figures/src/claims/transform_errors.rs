@@ -6,7 +6,7 @@ use transforms::projection::{canonical_from_camera, scale};
 use transforms::{Basis, Pipeline, ViewVolume, change_of_basis};
 
 use super::sample::{pipeline, short, trials};
-use super::{Claim, Examination, Trial, Verdict, judge, stage, text};
+use super::{Claim, Examination, Trial, Verdict, judge, stage, text, versions};
 
 pub(super) static ORDER_OF_FACTORS: Claim = Claim {
     number: "E1",
@@ -49,11 +49,11 @@ pub(super) static ORDER_OF_FACTORS: Claim = Claim {
             )
     },
     pictures: None,
-    versions: None,
+    versions: Some(versions::order_of_factors),
 };
 
 /// The product from left to right as printed: R·T, P, S, C, V.
-fn slide_pipeline(pipeline: &Pipeline) -> Mat4 {
+pub(super) fn slide_pipeline(pipeline: &Pipeline) -> Mat4 {
     let [t, r, p, c, s, v] = pipeline.factors().map(|factor| factor.matrix);
     r * t * p * s * c * v
 }
@@ -89,12 +89,12 @@ pub(super) static R_MINUS_ONE: Claim = Claim {
             )
     },
     pictures: None,
-    versions: None,
+    versions: Some(versions::r_minus_one),
 };
 
 const L_IS_ONE: &str = "l is 1";
 
-fn slide_scale(volume: &ViewVolume) -> f32 {
+pub(super) fn slide_scale(volume: &ViewVolume) -> f32 {
     2.0 / (volume.right - 1.0)
 }
 
@@ -109,7 +109,7 @@ fn scaling_trial(left: f32, right: f32) -> Trial {
     )
 }
 
-fn window(left: f32, right: f32) -> ViewVolume {
+pub(super) fn window(left: f32, right: f32) -> ViewVolume {
     ViewVolume { left, right, bottom: -1.0, top: 2.0, near: -1.0, far: -9.0 }
 }
 
@@ -199,11 +199,11 @@ pub(super) static OPENGL: Claim = Claim {
         )
     },
     pictures: None,
-    versions: None,
+    versions: Some(versions::opengl),
 };
 
 /// glFrustum, from OpenGL's own reference page.
-fn frustum(volume: &ViewVolume) -> Mat4 {
+pub(super) fn frustum(volume: &ViewVolume) -> Mat4 {
     let ViewVolume { left: l, right: r, bottom: b, top: t, near, far } = *volume;
     let (n, f) = (-near, -far);
     Mat4::from_cols(
@@ -227,7 +227,7 @@ pub(super) static HANDEDNESS: Claim = Claim {
     code: &["transforms::change_of_basis"],
     examine: handedness,
     pictures: None,
-    versions: None,
+    versions: Some(versions::handedness),
 };
 
 const ONE_HANDEDNESS: &str = "both bases have the same handedness";

@@ -5,7 +5,7 @@ use transforms::viewport::window_from_pixel;
 use transforms::{Basis, Pipeline, ViewVolume, affine2};
 
 use super::sample::{pipeline, short, trials};
-use super::{Claim, Trial, Verdict, judge, stage, text};
+use super::{Claim, Trial, Verdict, judge, stage, text, versions};
 
 pub(super) static WINDOW_POINT: Claim = Claim {
     number: "E13",
@@ -41,13 +41,13 @@ pub(super) static WINDOW_POINT: Claim = Claim {
             .compared("the eye at (5, 1, 4)", short(slide), short(ray.at(1.0)))
     },
     pictures: None,
-    versions: None,
+    versions: Some(versions::window_point),
 };
 
 const EYE_AT_ORIGIN: &str = "the eye is at the origin";
 
 /// The ray of pixel (50, 10), and where the slide has its s.
-fn ray_and_slide(eye: Vec3, target: Vec3) -> (geometry::Ray, Vec3) {
+pub(super) fn ray_and_slide(eye: Vec3, target: Vec3) -> (geometry::Ray, Vec3) {
     let pipeline = pipeline((eye, target), 0.8, (-1.0, -9.0), (64, 48));
     (raytrace::viewing_ray(&pipeline, 50.0, 10.0), slide_window_point(&pipeline, vec2(50.0, 10.0)))
 }

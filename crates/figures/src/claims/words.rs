@@ -6,10 +6,10 @@ use lighting::{Highlight, Light, Material, SurfacePoint, lit};
 use zbuffer::{DepthBuffer, DepthFormat};
 
 use super::sample::Sequence;
-use super::{Claim, Examination, Trial, Verdict, judge, measured, text};
+use super::{Claim, Examination, Trial, Verdict, judge, measured, text, versions};
 
 /// What each letter stands for on the slides, and what the code calls it.
-const LETTERS: [(&str, &[(&str, &str)]); 8] = [
+pub(super) const LETTERS: [(&str, &[(&str, &str)]); 8] = [
     ("e", &[("the eye's position (L1, L46)", "eye"), ("the direction to the eye (L31)", "to_eye")]),
     (
         "c",
@@ -71,10 +71,7 @@ pub(super) static ONE_LETTER: Claim = Claim {
         let count = |(letter, meanings): &(&str, &[_])| format!("{letter} {}", meanings.len());
         let meanings: Vec<_> = LETTERS.iter().map(count).collect();
         let total: usize = LETTERS.iter().map(|(_, meanings)| meanings.len()).sum();
-        let mut names: Vec<&str> =
-            LETTERS.iter().flat_map(|(_, list)| list.iter().map(|(_, name)| *name)).collect();
-        names.sort_unstable();
-        names.dedup();
+        let names = names();
         judge("each letter means one thing", None, &trials).compared(
             "how many things the letters mean",
             format!("{total} meanings of {} letters: {}", LETTERS.len(), meanings.join(", ")),
@@ -82,8 +79,17 @@ pub(super) static ONE_LETTER: Claim = Claim {
         )
     },
     pictures: None,
-    versions: None,
+    versions: Some(versions::one_letter),
 };
+
+/// What the code calls all those things.
+pub(super) fn names() -> Vec<&'static str> {
+    let mut names: Vec<&str> =
+        LETTERS.iter().flat_map(|(_, list)| list.iter().map(|(_, name)| *name)).collect();
+    names.sort_unstable();
+    names.dedup();
+    names
+}
 
 pub(super) static MATT: Claim = Claim {
     number: "E18",
@@ -112,11 +118,11 @@ pub(super) static MATT: Claim = Claim {
         )
     },
     pictures: None,
-    versions: None,
+    versions: Some(versions::matt),
 };
 
 /// The share of the light that a matt surface sends back: the mean of what is seen, over directions weighted by their cosine.
-fn sent_back(c_r: f32) -> f32 {
+pub(super) fn sent_back(c_r: f32) -> f32 {
     let lights = [Light::Directional { to_light: Vec3::Z, color: Rgb::ONE }];
     let mut random = Sequence::new(131);
     let samples = (0..500).map(|_| {
@@ -130,7 +136,7 @@ fn sent_back(c_r: f32) -> f32 {
 }
 
 /// The first grid as printed.
-const FIRST_GRID: [[u8; 6]; 4] = [[0; 6]; 4];
+pub(super) const FIRST_GRID: [[u8; 6]; 4] = [[0; 6]; 4];
 
 pub(super) static LOST_ROW: Claim = Claim {
     number: "E18",
@@ -144,10 +150,7 @@ pub(super) static LOST_ROW: Claim = Claim {
     expected: Verdict::Refuted,
     code: &["zbuffer::DepthBuffer::new"],
     examine: || {
-        let cleared = DepthBuffer::new(6, 5, DepthFormat::F32);
-        let empty_rows = (0..cleared.height())
-            .filter(|j| (0..cleared.width()).all(|i| cleared.get(i, *j).is_none()))
-            .count();
+        let empty_rows = cleared_rows();
         let same = FIRST_GRID.len() == empty_rows;
         measured(same, format!("{} rows printed, {empty_rows} in the buffer", FIRST_GRID.len())).compared(
             "the depth grid before the first polygon",
@@ -156,8 +159,14 @@ pub(super) static LOST_ROW: Claim = Claim {
         )
     },
     pictures: None,
-    versions: None,
+    versions: Some(versions::lost_row),
 };
+
+/// The rows without any depth of a cleared buffer.
+pub(super) fn cleared_rows() -> usize {
+    let cleared = DepthBuffer::new(6, 5, DepthFormat::F32);
+    (0..cleared.height()).filter(|j| (0..cleared.width()).all(|i| cleared.get(i, *j).is_none())).count()
+}
 
 pub(super) static ROWS: Claim = Claim {
     number: "E18",
@@ -172,16 +181,19 @@ pub(super) static ROWS: Claim = Claim {
     code: &["canvas::row_from_j", "canvas::Image"],
     examine: rows,
     pictures: None,
-    versions: None,
+    versions: Some(versions::rows),
 };
+
+/// The row, from the top, in which a picture of this height stores pixel (1, j).
+pub(super) fn row_of(j: u32, height: u32) -> u32 {
+    let mut image = Image::new(3, height, Rgb::ZERO);
+    image.set(1, j, Rgb::ONE);
+    image.pixels().iter().position(|pixel| *pixel == Rgb::ONE).map_or(0, |k| k as u32 / 3)
+}
 
 fn rows() -> Examination {
     let height = 4;
-    let row_of = |j: u32| {
-        let mut image = Image::new(3, height, Rgb::ZERO);
-        image.set(1, j, Rgb::ONE);
-        image.pixels().iter().position(|pixel| *pixel == Rgb::ONE).map_or(0, |k| k as u32 / 3)
-    };
+    let row_of = |j: u32| row_of(j, height);
     let trials: Vec<Trial> = (0..height)
         .map(|j| {
             Trial::new(

@@ -5,10 +5,10 @@ use sheet::crowd::Vector;
 use sheet::text::triple;
 use sheet::view::View;
 use sheet::{Ink, Sheet};
-use transforms::Basis;
+use transforms::{Basis, DegenerateCamera};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
-use crate::handle::without_handles;
+use crate::handle::{Handled, Handles, with_handles};
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -40,25 +40,35 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
-    handles: without_handles,
+    handles,
 };
 
 /// How long the arrow of up is: longer than v, which it may cover.
 const LONG: f32 = 1.4;
 
+/// The length of the view direction: it is told from the unit vectors, and −w lies under it.
+const GAZE: f32 = 1.15;
+
+fn view() -> Result<View, DegenerateCamera> {
+    View::new(vec3(2.2, 2.6, 4.0), Vec3::ZERO)
+}
+
+fn sheet() -> Sheet {
+    // Whichever way the camera looks, all arrows end in a circle; the longest name needs more room at the left.
+    let seen = [vec2(-1.95, -1.25), vec2(1.3, LONG)];
+    Sheet::around(&seen, vec2(760.0, 440.0), 24.0, 250.0)
+}
+
 fn draw(values: &Values) -> Drawn {
     let gaze = gaze(values.number("azimuth"), values.number("elevation"));
     let basis = Basis::from_gaze_and_up(gaze, Vec3::Y)?;
-    let view = View::new(vec3(2.2, 2.6, 4.0), Vec3::ZERO)?;
-    // Whichever way the camera looks, all arrows end in a circle; the longest name needs more room at the left.
-    let seen = [vec2(-1.95, -1.25), vec2(1.3, LONG)];
-    let mut sheet = Sheet::around(&seen, vec2(760.0, 440.0), 24.0, 250.0);
+    let (view, mut sheet) = (view()?, sheet());
     plane_of_up_and_w(&mut sheet, &view, &basis);
     let tip = |p: Vec3| view.at(p);
     sheet.vectors(
         Vec2::ZERO,
         &[
-            Vector::new("", tip(1.15 * gaze), Ink::Main).called("view direction", "kijkrichting"),
+            Vector::new("", tip(GAZE * gaze), Ink::Main).called("view direction", "kijkrichting"),
             Vector::new("up", tip(LONG * Vec3::Y), Ink::Main).dashed(),
             Vector::new("u", tip(basis.u), Ink::A),
             Vector::new("v", tip(basis.v), Ink::B),
@@ -77,7 +87,7 @@ fn draw(values: &Values) -> Drawn {
         format!("Five arrows from the eye: the view direction, up, and the frame u = {u}, v = {v}, w = {w}."),
         format!("Vijf pijlen vanuit het oog: de kijkrichting, up, en het frame u = {u}, v = {v}, w = {w}."),
     );
-    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
+    with_handles(vec![Drawing::only(alt, |alt| sheet.svg(alt))], handles(values))
 }
 
 /// The unit vector along −z, raised by `elevation` and then turned about y by `azimuth`, both in degrees.
@@ -92,4 +102,11 @@ fn plane_of_up_and_w(sheet: &mut Sheet, view: &View, basis: &Basis) {
     let corners = [corner(0.0, 0.0), corner(0.0, 1.0), corner(1.0, 1.0), corner(1.0, 0.0)];
     sheet.wash(&corners, Ink::B);
     sheet.polygon(&corners, Ink::Faint.pen().fine());
+}
+
+fn handles(values: &Values) -> Handled {
+    let gaze = gaze(values.number("azimuth"), values.number("elevation"));
+    let name = Text { en: "the view direction", nl: "de kijkrichting" };
+    let tip = view()?.at(GAZE * gaze);
+    Ok(vec![Handles::on(&sheet(), [(name, &["azimuth", "elevation"], tip)])])
 }

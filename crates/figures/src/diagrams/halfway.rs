@@ -6,9 +6,9 @@ use sheet::crowd::Vector;
 use sheet::text::{decimal, degrees};
 use sheet::{Ink, Sheet};
 
-use super::slice::{self, N, WORDS, direction, sheet, tip};
+use super::slice::{self, LOWEST, N, THE_EYE, THE_LIGHT, WORDS, direction, paper, sheet, tip};
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
-use crate::handle::without_handles;
+use crate::handle::{Handled, Handles, with_handles};
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -26,7 +26,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
-    handles: without_handles,
+    handles,
 };
 
 fn draw(values: &Values) -> Drawn {
@@ -35,7 +35,7 @@ fn draw(values: &Values) -> Drawn {
     let h = halfway(e, l).ok_or("eye and light are opposite: nothing lies halfway")?;
     let r = reflect(N, l);
     let (omega, sigma) = (h.angle_between(N), e.angle_between(r));
-    let mut sheet = sheet(-0.12);
+    let mut sheet = sheet(LOWEST);
     // e + l goes through the middle of the two tips; h has its direction.
     sheet.line(tip(l), tip(e), Ink::Faint.pen().dashed());
     sheet.vectors(
@@ -62,7 +62,7 @@ fn draw(values: &Values) -> Drawn {
             "De halfway vector h staat {omega:.1}° van de normaal, het oog {sigma:.1}° van de terugkaatsrichting."
         ),
     );
-    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
+    with_handles(vec![Drawing::only(alt, |alt| sheet.svg(alt))], handles(values))
 }
 
 /// The two angles, and what the two forms of the highlight make of them.
@@ -82,4 +82,11 @@ fn words(sheet: &mut Sheet, [l, e, h]: [Vec3; 3], p: f32) {
             format!("(h·n)^4p = {}", decimal(blinn_highlight(N, l, e, 4.0 * p), 3)),
         ],
     );
+}
+
+fn handles(values: &Values) -> Handled {
+    let [light, eye] = ["light", "eye"].map(|name| values.number(name));
+    let (l, e) = (direction(-light), direction(eye));
+    let list: [(Text, &[&str], Vec2); 2] = [(THE_LIGHT, &["light"], tip(l)), (THE_EYE, &["eye"], tip(e))];
+    Ok(vec![Handles::on(&paper(LOWEST), list)])
 }

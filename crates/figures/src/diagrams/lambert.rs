@@ -1,12 +1,14 @@
 //! How much light falls on a tilted surface? As much as the cosine of its angle to the light (L26, E6).
 
+use canvas::Rgb;
 use glam::{Vec2, vec2};
 use lighting::lambert;
 use sheet::crowd::Vector;
 use sheet::text::{decimal, degrees};
 use sheet::{Ink, Letters, Side};
 
-use super::slice::{N, THE_LIGHT, WORDS, direction, sheet, tip};
+use super::slice::{LOWEST, N, THE_LIGHT, WORDS, direction, paper, sheet, tip};
+use crate::ball;
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::handle::{Handled, Handles, with_handles};
 use crate::parameter::{Parameter, Values};
@@ -16,8 +18,8 @@ pub(super) static FIGURE: Figure = Figure {
     name: "lambert",
     title: Text { en: "Diffuse reflection: Lambert's law", nl: "Diffuse reflectie: de wet van Lambert" },
     caption: Text {
-        en: "The product n·l of two unit vectors is the length of l's shadow on n: the cosine of the angle θ, and not the angle itself. Light from straight above gives 1, light along the surface 0.",
-        nl: "Het inproduct n·l van twee eenheidsvectoren is de lengte van de schaduw van l op n: de cosinus van de hoek θ, en niet de hoek zelf. Licht van recht boven geeft 1, licht langs het oppervlak 0.",
+        en: "The product n·l of two unit vectors is the length of l's shadow on n: the cosine of the angle θ, and not the angle itself. Light from straight above gives 1, light along the surface 0. The ball stands under the same light and has every normal; its top has the n of the diagram.",
+        nl: "Het inproduct n·l van twee eenheidsvectoren is de lengte van de schaduw van l op n: de cosinus van de hoek θ, en niet de hoek zelf. Licht van recht boven geeft 1, licht langs het oppervlak 0. De bol staat onder hetzelfde licht en heeft alle normalen; zijn top heeft de n van de tekening.",
     },
     parameters: &[Parameter::number(
         "theta",
@@ -26,13 +28,10 @@ pub(super) static FIGURE: Figure = Figure {
         0.0,
         90.0,
     )],
-    size: (640, 480),
+    size: (300, 300),
     draw,
     handles,
 };
-
-/// The least y that is drawn: a little below the surface.
-const LOWEST: f32 = -0.12;
 
 fn draw(values: &Values) -> Drawn {
     let theta = values.number("theta");
@@ -66,10 +65,17 @@ fn draw(values: &Values) -> Drawn {
             "De eenheidsvector l staat {theta:.1}° van de normaal n; zijn projectie op n heeft lengte {share}."
         ),
     );
-    with_handles(vec![Drawing::only(alt, |alt| sheet.svg(alt))], handles(values))
+    let diagram = Drawing::diagram("vectors", alt.clone(), sheet.svg(&alt));
+    let [ball] = ball::pictures(values.size(), |n, _| [Rgb::splat(lambert(n, l))])?;
+    let alt = Text {
+        en: "A white matt ball under this light: brightest where it faces the light, black from 90° on.",
+        nl: "Een witte matte bol onder dit licht: het helderst waar hij naar het licht wijst, zwart vanaf 90°.",
+    };
+    with_handles(vec![diagram, Drawing::picture("ball", alt, ball)], handles(values))
 }
 
 fn handles(values: &Values) -> Handled {
     let l = direction(values.number("theta"));
-    Ok(vec![Handles::on(&sheet(LOWEST), [(THE_LIGHT, &["theta"], tip(l))])])
+    let ball = ball::handles(values.size()).and(THE_LIGHT, &["theta"], ball::place(values.size(), l)?);
+    Ok(vec![Handles::on(&paper(LOWEST), [(THE_LIGHT, &["theta"], tip(l))]), ball])
 }

@@ -6,9 +6,9 @@ use sheet::crowd::Vector;
 use sheet::text::{decimal, degrees};
 use sheet::{Ink, Sheet};
 
-use super::slice::{self, N, WORDS, direction, sheet, tip};
+use super::slice::{self, LOWEST, N, THE_EYE, THE_LIGHT, WORDS, direction, paper, sheet, tip};
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
-use crate::handle::without_handles;
+use crate::handle::{Handled, Handles, with_handles};
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -26,7 +26,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
-    handles: without_handles,
+    handles,
 };
 
 fn draw(values: &Values) -> Drawn {
@@ -35,7 +35,7 @@ fn draw(values: &Values) -> Drawn {
     let r = reflect(N, l);
     let sigma = e.angle_between(r);
     let highlight = phong_highlight(N, l, e, p);
-    let mut sheet = sheet(-0.12);
+    let mut sheet = sheet(LOWEST);
     lobe(&mut sheet, light, p);
     sheet.vectors(
         Vec2::ZERO,
@@ -61,7 +61,7 @@ fn draw(values: &Values) -> Drawn {
             "Het oog staat {sigma:.1}° van de terugkaatsrichting van het licht; met exponent {p} heeft de glansplek helderheid {value}."
         ),
     );
-    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
+    with_handles(vec![Drawing::only(alt, |alt| sheet.svg(alt))], handles(values))
 }
 
 /// The angles, and what the highlight makes of them.
@@ -91,4 +91,16 @@ fn lobe(sheet: &mut Sheet, light: f32, p: f32) {
     let outline: Vec<Vec2> = (-180..=180).map(brightness).collect();
     sheet.wash(&outline, Ink::D);
     sheet.polygon(&outline, Ink::D.pen().fine());
+}
+
+fn handles(values: &Values) -> Handled {
+    let [light, eye, p] = ["light", "eye", "p"].map(|name| values.number(name));
+    let (l, e) = (direction(-light), direction(eye));
+    let brightness = Text { en: "the brightness of the highlight", nl: "de helderheid van de glansplek" };
+    let list: [(Text, &[&str], Vec2); 3] = [
+        (THE_LIGHT, &["light"], tip(l)),
+        (THE_EYE, &["eye"], tip(e)),
+        (brightness, &["p"], tip(phong_highlight(N, l, e, p) * e)),
+    ];
+    Ok(vec![Handles::on(&paper(LOWEST), list)])
 }

@@ -7,7 +7,7 @@ use transforms::affine2::{scale, translate};
 use transforms::{ViewVolume, viewport};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
-use crate::handle::without_handles;
+use crate::handle::{Handled, Handles, with_handles};
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -50,7 +50,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
-    handles: without_handles,
+    handles,
 };
 
 /// Not in the middle, so that no number stands for two things; near and far do not matter here.
@@ -60,20 +60,49 @@ const VOLUME: ViewVolume =
 /// The room for each of the two grids, in pixels.
 const ROOM: Vec2 = vec2(290.0, 240.0);
 
+/// Where both grids lie on the sheet.
+struct Layout {
+    pixels: (u32, u32),
+    pixel: (u32, u32),
+    sheet_from_screen: Mat3,
+    /// By way of the window.
+    sheet_from_pixel: Mat3,
+}
+
+impl Layout {
+    fn of(values: &Values) -> Self {
+        let (n_x, n_y) = (values.count("n_x"), values.count("n_y"));
+        // A column or row beyond the screen is the last one.
+        let pixel = (values.count("i").min(n_x - 1), values.count("j").min(n_y - 1));
+        let (half, size) = (Vec2::splat(0.5), vec2(n_x as f32, n_y as f32));
+        let (lower_left, upper_right) = (vec2(VOLUME.left, VOLUME.bottom), vec2(VOLUME.right, VOLUME.top));
+        let sheet_from_window = fitted(lower_left, upper_right, vec2(420.0, 150.0));
+        Self {
+            pixels: (n_x, n_y),
+            pixel,
+            sheet_from_screen: fitted(-half, size - half, vec2(60.0, 150.0)),
+            sheet_from_pixel: sheet_from_window * viewport::window_from_pixel(&VOLUME, n_x, n_y),
+        }
+    }
+
+    /// The middle of the pixel, on the screen and in the window.
+    fn middles(&self) -> [Vec2; 2] {
+        let pixel = vec2(self.pixel.0 as f32, self.pixel.1 as f32);
+        [self.sheet_from_screen, self.sheet_from_pixel].map(|map| map.transform_point2(pixel))
+    }
+}
+
+fn sheet() -> Sheet {
+    Sheet::new(Vec2::ZERO, vec2(760.0, 440.0), 760.0)
+}
+
 fn draw(values: &Values) -> Drawn {
-    let (n_x, n_y) = (values.count("n_x"), values.count("n_y"));
-    // A column or row beyond the screen is the last one.
-    let (i, j) = (values.count("i").min(n_x - 1), values.count("j").min(n_y - 1));
+    let Layout { pixels: (n_x, n_y), pixel: (i, j), sheet_from_screen, sheet_from_pixel } =
+        Layout::of(values);
+    let (half, size) = (Vec2::splat(0.5), vec2(n_x as f32, n_y as f32));
     let pixel = vec2(i as f32, j as f32);
     let window = viewport::window_point(&VOLUME, n_x, n_y, pixel);
-    let mut sheet = Sheet::new(Vec2::ZERO, vec2(760.0, 440.0), 760.0);
-
-    let half = Vec2::splat(0.5);
-    let size = vec2(n_x as f32, n_y as f32);
-    let sheet_from_screen = fitted(-half, size - half, vec2(60.0, 150.0));
-    let (lower_left, upper_right) = (vec2(VOLUME.left, VOLUME.bottom), vec2(VOLUME.right, VOLUME.top));
-    let sheet_from_pixel =
-        fitted(lower_left, upper_right, vec2(420.0, 150.0)) * viewport::window_from_pixel(&VOLUME, n_x, n_y);
+    let mut sheet = sheet();
     let corners = [
         (sheet_from_screen, Ink::A, "(−½, −½)".to_owned(), "(n_x−½, n_y−½)".to_owned()),
         (sheet_from_pixel, Ink::B, "(l, b) = (−2, −1)".to_owned(), "(r, t) = (4, 3)".to_owned()),
@@ -83,15 +112,15 @@ fn draw(values: &Values) -> Drawn {
         sheet.label(map.transform_point2(-half), Side::BelowRight, first, Letters::Plain, ink);
         sheet.label(map.transform_point2(size - half), Side::AboveLeft, last, Letters::Plain, ink);
     }
-    let ends = [sheet_from_screen, sheet_from_pixel].map(|map| map.transform_point2(pixel));
-    sheet.arrow(ends[0], ends[1], Ink::Main.pen().fine());
+    let [from, to] = Layout::of(values).middles();
+    sheet.arrow(from, to, Ink::Main.pen().fine());
     formulas(&mut sheet, (n_x, n_y), (i, j), window);
     let (u, v) = (decimal(window.x, 3), decimal(window.y, 3));
     let alt = Words::new(
         format!("Pixel ({i}, {j}) of {n_x} × {n_y} pixels belongs to the point ({u}, {v}) of the window."),
         format!("Pixel ({i}, {j}) van {n_x} × {n_y} pixels hoort bij het punt ({u}, {v}) van het venster."),
     );
-    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
+    with_handles(vec![Drawing::only(alt, |alt| sheet.svg(alt))], handles(values))
 }
 
 /// From a rectangle of the plane into the room whose lower left corner is `at`, as large as it can be.
@@ -154,4 +183,11 @@ fn formulas(sheet: &mut Sheet, (n_x, n_y): (u32, u32), (i, j): (u32, u32), windo
             line(["v_s", "b", "t", "j", "n_y"], [bottom, top], j, n_y, window.y),
         ],
     );
+}
+
+fn handles(values: &Values) -> Handled {
+    let [screen, window] = Layout::of(values).middles();
+    let pixel = Text { en: "the pixel", nl: "de pixel" };
+    let place = Text { en: "its place in the window", nl: "zijn plaats in het venster" };
+    Ok(vec![Handles::on(&sheet(), [(pixel, &["i", "j"], screen), (place, &["i", "j"], window)])])
 }

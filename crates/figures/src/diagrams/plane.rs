@@ -6,7 +6,7 @@ use sheet::text::decimal;
 use sheet::{Ink, Letters, Sheet, Side};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
-use crate::handle::without_handles;
+use crate::handle::{Handled, Handles, with_handles};
 use crate::parameter::{Parameter, Values};
 
 /// The part of the plane that is drawn: β and γ between these.
@@ -39,25 +39,38 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
-    handles: without_handles,
+    handles,
 };
+
+const TRIANGLE: Triangle =
+    Triangle { a: vec3(0.0, 0.0, 0.0), b: vec3(4.0, 0.5, 0.0), c: vec3(0.8, 3.0, 0.0) };
+
+/// The point of the plane with these weights.
+fn at(beta: f32, gamma: f32) -> Vec2 {
+    TRIANGLE.point(Barycentric::from_beta_gamma(beta, gamma)).truncate()
+}
+
+/// The corners of the part that is drawn.
+fn seen() -> [Vec2; 4] {
+    [at(LEAST, LEAST), at(GREATEST, LEAST), at(GREATEST, GREATEST), at(LEAST, GREATEST)]
+}
+
+fn sheet(seen: &[Vec2]) -> Sheet {
+    Sheet::around(seen, Vec2::new(760.0, 460.0), 26.0, 250.0)
+}
 
 fn draw(values: &Values) -> Drawn {
     let weights = Barycentric::from_beta_gamma(values.number("beta"), values.number("gamma"));
-    let triangle = Triangle::new(vec3(0.0, 0.0, 0.0), vec3(4.0, 0.5, 0.0), vec3(0.8, 3.0, 0.0));
-    let at = |weights: Barycentric| triangle.point(weights).truncate();
-    let corner = |beta, gamma| at(Barycentric::from_beta_gamma(beta, gamma));
-    let seen =
-        [corner(LEAST, LEAST), corner(GREATEST, LEAST), corner(GREATEST, GREATEST), corner(LEAST, GREATEST)];
-    let mut sheet = Sheet::around(&seen, Vec2::new(760.0, 460.0), 26.0, 250.0);
+    let seen = seen();
+    let mut sheet = sheet(&seen);
     sheet.wash(&seen, Ink::Faint);
     for (k, name) in [(0.0, "0"), (0.5, "½"), (1.0, "1")] {
-        parallels(&mut sheet, &corner, k, name);
+        parallels(&mut sheet, k, name);
     }
-    let corners = triangle.corners().map(|corner| corner.truncate());
+    let corners = TRIANGLE.corners().map(|corner| corner.truncate());
     sheet.wash(&corners, Ink::D);
     sheet.polygon(&corners, Ink::Main.pen());
-    let p = at(weights);
+    let p = at(weights.beta, weights.gamma);
     for corner in corners {
         sheet.dot(corner, Ink::Main);
     }
@@ -72,19 +85,19 @@ fn draw(values: &Values) -> Drawn {
     sheet.names(&names);
     words(&mut sheet, weights);
     let alt = alt(weights);
-    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
+    with_handles(vec![Drawing::only(alt, |alt| sheet.svg(alt))], handles(values))
 }
 
 /// The lines α = k, β = k and γ = k, each named at an end.
-fn parallels(sheet: &mut Sheet, corner: &impl Fn(f32, f32) -> Vec2, k: f32, name: &str) {
+fn parallels(sheet: &mut Sheet, k: f32, name: &str) {
     let pen = |ink: Ink| if k == 0.0 { ink.pen() } else { ink.pen().dashed().fine() };
     // On α = k is β + γ = 1 − k; the line leaves the drawn part where either is at its end.
     let (first, last) = ((1.0 - k - GREATEST).max(LEAST), (1.0 - k - LEAST).min(GREATEST));
-    let alpha = [corner(first, 1.0 - k - first), corner(last, 1.0 - k - last)];
-    let beta = [corner(k, LEAST), corner(k, GREATEST)];
+    let alpha = [at(first, 1.0 - k - first), at(last, 1.0 - k - last)];
+    let beta = [at(k, LEAST), at(k, GREATEST)];
     // α = 0 leaves the drawn part at its top, the others at its left.
     let alpha_side = if first > LEAST { Side::Above } else { Side::Left };
-    let gamma = [corner(LEAST, k), corner(GREATEST, k)];
+    let gamma = [at(LEAST, k), at(GREATEST, k)];
     for ([from, to], ink, letter, side, end) in [
         (alpha, Ink::A, "α", alpha_side, 0),
         (beta, Ink::B, "β", Side::Below, 0),
@@ -138,4 +151,10 @@ fn alt(weights: Barycentric) -> Words {
             place.nl
         ),
     )
+}
+
+fn handles(values: &Values) -> Handled {
+    let p = at(values.number("beta"), values.number("gamma"));
+    let name = Text { en: "the point p", nl: "het punt p" };
+    Ok(vec![Handles::on(&sheet(&seen()), [(name, &["beta", "gamma"], p)])])
 }

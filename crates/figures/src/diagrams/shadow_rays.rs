@@ -9,7 +9,7 @@ use raytrace::{Object, Ray, Shape, Surface, World, nearest};
 use sheet::{Ink, Letters, Sheet, Side};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
-use crate::handle::without_handles;
+use crate::handle::{Handled, Handles, with_handles};
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -48,7 +48,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
-    handles: without_handles,
+    handles,
 };
 
 const CENTER: Vec3 = vec3(0.1, 1.5, 0.0);
@@ -58,14 +58,21 @@ const LEFT: f32 = -3.4;
 const RIGHT: f32 = 3.4;
 const TOP: f32 = 2.9;
 
+fn to_light(angle: f32) -> Vec3 {
+    let (sin, cos) = angle.to_radians().sin_cos();
+    vec3(sin, cos, 0.0)
+}
+
+fn sheet() -> Sheet {
+    Sheet::around(&[vec2(LEFT, -0.75), vec2(RIGHT, TOP)], vec2(760.0, 440.0), 20.0, 0.0)
+}
+
 fn draw(values: &Values) -> Drawn {
     let [angle, p, q] = ["light", "p", "q"].map(|name| values.number(name));
-    let (sin, cos) = angle.to_radians().sin_cos();
-    let to_light = vec3(sin, cos, 0.0);
+    let to_light = to_light(angle);
     let world = world(to_light)?;
     let light = world.lights[0].illumination(Vec3::ZERO).ok_or("a light without a direction")?;
-    let seen = [vec2(LEFT, -0.75), vec2(RIGHT, TOP)];
-    let mut sheet = Sheet::around(&seen, vec2(760.0, 440.0), 20.0, 0.0);
+    let mut sheet = sheet();
     ground(&mut sheet, &world, &light);
     sheet.wash(&circle(), Ink::B);
     sheet.polygon(&circle(), Ink::B.pen());
@@ -93,7 +100,7 @@ fn draw(values: &Values) -> Drawn {
             words[0].nl, words[1].nl
         ),
     );
-    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
+    with_handles(vec![Drawing::only(alt, |alt| sheet.svg(alt))], handles(values))
 }
 
 fn world(to_light: Vec3) -> Result<World, raytrace::ObjectError> {
@@ -168,4 +175,16 @@ fn verdict(name: &str, is_lit: bool) -> Words {
     } else {
         Words::new(format!("{name} is in shadow"), format!("{name} ligt in schaduw"))
     }
+}
+
+fn handles(values: &Values) -> Handled {
+    let [angle, p, q] = ["light", "p", "q"].map(|name| values.number(name));
+    // The light is infinitely far away; it is taken by the end of the ray that leads to it from p.
+    let end = end_of_sheet(&Ray::new(vec3(p, 0.0, 0.0), to_light(angle)));
+    let list: [(Text, &[&str], Vec2); 3] = [
+        (Text { en: "the light", nl: "het licht" }, &["light"], end),
+        (Text { en: "the point p", nl: "het punt p" }, &["p"], vec2(p, 0.0)),
+        (Text { en: "the point q", nl: "het punt q" }, &["q"], vec2(q, 0.0)),
+    ];
+    Ok(vec![Handles::on(&sheet(), list)])
 }

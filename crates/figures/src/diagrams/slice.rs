@@ -20,12 +20,20 @@ pub(super) fn tip(vector: Vec3) -> Vec2 {
     vector.truncate()
 }
 
-/// A sheet with the surface, from 1.1 at the left to 1.1 at the right, and half of the unit circle in which all unit vectors
-/// end; room for words at the right. `lowest` is the least y that must be seen.
-pub(super) fn sheet(lowest: f32) -> Sheet {
+/// The least y that is drawn where everything lies above the surface: a little below it.
+pub(super) const LOWEST: f32 = -0.12;
+
+/// An empty sheet with half of the unit circle in which all unit vectors end, and room for words at the right. `lowest` is
+/// the least y that must be seen.
+pub(super) fn paper(lowest: f32) -> Sheet {
     let seen = [vec2(-1.15, lowest), vec2(1.15, 1.12)];
     let height = 60.0 + 205.0 * (1.12 - lowest);
-    let mut sheet = Sheet::around(&seen, vec2(760.0, height), 20.0, 230.0);
+    Sheet::around(&seen, vec2(760.0, height), 20.0, 230.0)
+}
+
+/// The same with the surface, from 1.1 at the left to 1.1 at the right, and that half circle.
+pub(super) fn sheet(lowest: f32) -> Sheet {
+    let mut sheet = paper(lowest);
     sheet.surface(vec2(-1.1, 0.0), vec2(1.1, 0.0));
     let circle: Vec<Vec2> = (-45..=45).map(|k| tip(direction(2.0 * k as f32))).collect();
     sheet.path(&circle, Ink::Faint.pen().fine().dashed());

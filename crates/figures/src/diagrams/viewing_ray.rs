@@ -1,14 +1,16 @@
 //! Which points lie on the ray from the eye through a pixel? (L46, L47, Fig 4.6)
 
+use std::error::Error;
+
 use glam::{Vec2, Vec3, vec2, vec3};
 use raytrace::{Ray, viewing_ray};
 use sheet::text::{decimal, triple};
 use sheet::view::View;
 use sheet::{Ink, Sheet};
-use transforms::{Camera, Pipeline, ViewVolume};
+use transforms::{Camera, DegenerateCamera, Pipeline, ViewVolume};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
-use crate::handle::without_handles;
+use crate::handle::{Handled, Handles, with_handles};
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -26,7 +28,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
-    handles: without_handles,
+    handles,
 };
 
 const WIDTH: u32 = 8;
@@ -35,17 +37,26 @@ const HEIGHT: u32 = 6;
 const LEAST_T: f32 = -0.6;
 const GREATEST_T: f32 = 2.5;
 
-fn draw(values: &Values) -> Drawn {
-    let [i, j, t] = ["i", "j", "t"].map(|name| values.number(name));
+fn pipeline() -> Result<Pipeline, Box<dyn Error + Send + Sync>> {
     let camera = Camera::look_at(vec3(1.0, 2.0, 5.0), vec3(1.0, 2.0, 0.0), Vec3::Y)?;
     let volume = ViewVolume { left: -1.6, right: 1.6, bottom: -1.2, top: 1.2, near: -2.4, far: -12.0 };
-    let pipeline = Pipeline::new(camera, volume, WIDTH, HEIGHT)?;
-    let ray = viewing_ray(&pipeline, i, j);
+    Ok(Pipeline::new(camera, volume, WIDTH, HEIGHT)?)
+}
+
+/// The view, and a sheet that shows the line of every pixel.
+fn laid_out(pipeline: &Pipeline) -> Result<(View, Sheet), DegenerateCamera> {
     let view = View::new(vec3(6.0, 4.6, 7.0), vec3(1.0, 2.0, 2.0))?;
     // Wherever the pixel is, its line stays within those of the four corners.
-    let ends = corners(&pipeline).into_iter().flat_map(|ray| [ray.at(LEAST_T), ray.at(GREATEST_T)]);
+    let ends = corners(pipeline).into_iter().flat_map(|ray| [ray.at(LEAST_T), ray.at(GREATEST_T)]);
     let seen: Vec<Vec2> = ends.map(|p| view.at(p)).collect();
-    let mut sheet = Sheet::around(&seen, vec2(760.0, 460.0), 20.0, 170.0);
+    Ok((view, Sheet::around(&seen, vec2(760.0, 460.0), 20.0, 170.0)))
+}
+
+fn draw(values: &Values) -> Drawn {
+    let [i, j, t] = ["i", "j", "t"].map(|name| values.number(name));
+    let pipeline = pipeline()?;
+    let ray = viewing_ray(&pipeline, i, j);
+    let (view, mut sheet) = laid_out(&pipeline)?;
     image_plane(&mut sheet, &view, &pipeline, vec2(i, j));
     line(&mut sheet, &view, &ray, t);
     let place = words(&mut sheet, &ray, t);
@@ -60,7 +71,7 @@ fn draw(values: &Values) -> Drawn {
             place.nl
         ),
     );
-    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
+    with_handles(vec![Drawing::only(alt, |alt| sheet.svg(alt))], handles(values))
 }
 
 /// The numbers of the line, and on which part of it t lies.
@@ -124,4 +135,16 @@ fn line(sheet: &mut Sheet, view: &View, ray: &Ray, t: f32) {
         (at(1.0) - beside, "s", Ink::B),
         (at(t) + 1.3 * beside, "p(t)", Ink::D),
     ]);
+}
+
+fn handles(values: &Values) -> Handled {
+    let [i, j, t] = ["i", "j", "t"].map(|name| values.number(name));
+    let pipeline = pipeline()?;
+    let ray = viewing_ray(&pipeline, i, j);
+    let (view, sheet) = laid_out(&pipeline)?;
+    let list: [(Text, &[&str], Vec2); 2] = [
+        (Text { en: "the pixel", nl: "de pixel" }, &["i", "j"], view.at(ray.at(1.0))),
+        (Text { en: "the point p(t)", nl: "het punt p(t)" }, &["t"], view.at(ray.at(t))),
+    ];
+    Ok(vec![Handles::on(&sheet, list)])
 }

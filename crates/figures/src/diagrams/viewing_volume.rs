@@ -5,10 +5,10 @@ use sheet::crowd::Vector;
 use sheet::text::decimal;
 use sheet::view::View;
 use sheet::{Ink, Pen, Sheet};
-use transforms::ViewVolume;
+use transforms::{DegenerateCamera, ViewVolume};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
-use crate::handle::without_handles;
+use crate::handle::{Handled, Handles, with_handles};
 use crate::parameter::{Parameter, Values};
 
 const fn edge(name: &'static str, label: Text, default: f32, least: f32, greatest: f32) -> Parameter {
@@ -39,20 +39,44 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
-    handles: without_handles,
+    handles,
 };
 
-fn draw(values: &Values) -> Drawn {
+fn volume(values: &Values) -> ViewVolume {
     let [left, right, bottom, top, near, far] =
         ["l", "r", "b", "t", "n", "f"].map(|name| values.number(name));
-    let volume = ViewVolume { left, right, bottom, top, near, far };
-    volume.validate()?;
+    ViewVolume { left, right, bottom, top, near, far }
+}
+
+/// The view, and a sheet on which the whole volume is seen.
+fn laid_out(volume: &ViewVolume) -> Result<(View, Sheet), DegenerateCamera> {
     // In camera coordinates u, v, w are x, y, z.
     let view = View::new(vec3(5.0, 3.0, 3.2), Vec3::ZERO)?;
-    let (window, end) = (rectangle(&volume, near), rectangle(&volume, far));
+    let (window, end) = (rectangle(volume, volume.near), rectangle(volume, volume.far));
     let seen: Vec<Vec2> = window.iter().chain(&end).chain(&[Vec3::Y, Vec3::Z]).map(|p| view.at(*p)).collect();
-    let mut sheet = Sheet::around(&seen, vec2(760.0, 460.0), 46.0, 120.0);
-    edges(&mut sheet, &view, &window, &end);
+    Ok((view, Sheet::around(&seen, vec2(760.0, 460.0), 46.0, 120.0)))
+}
+
+/// Where the planes cut the axes: the middles of the window's left, right, bottom and top edge, its own, and that of the far
+/// plane.
+fn marks(volume: &ViewVolume) -> [Vec3; 6] {
+    let ViewVolume { left, right, bottom, top, near, far } = *volume;
+    [
+        vec3(left, 0.0, near),
+        vec3(right, 0.0, near),
+        vec3(0.0, bottom, near),
+        vec3(0.0, top, near),
+        vec3(0.0, 0.0, near),
+        vec3(0.0, 0.0, far),
+    ]
+}
+
+fn draw(values: &Values) -> Drawn {
+    let volume = volume(values);
+    volume.validate()?;
+    let ViewVolume { left, right, bottom, top, near, far } = volume;
+    let (view, mut sheet) = laid_out(&volume)?;
+    edges(&mut sheet, &view, &rectangle(&volume, near), &rectangle(&volume, far));
     axes_and_names(&mut sheet, &view, &volume);
     let number = |x| decimal(x, 1);
     sheet.lines(
@@ -70,7 +94,7 @@ fn draw(values: &Values) -> Drawn {
             "Een piramide met haar top in het oog, afgesneden door het venster in het viewplane w = {n} en door het far-vlak w = {f}."
         ),
     );
-    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
+    with_handles(vec![Drawing::only(alt, |alt| sheet.svg(alt))], handles(values))
 }
 
 /// The corners of what is seen at depth w: the window, as much larger as it is farther away.
@@ -91,26 +115,40 @@ fn edges(sheet: &mut Sheet, view: &View, window: &[Vec3; 4], end: &[Vec3; 4]) {
 }
 
 fn axes_and_names(sheet: &mut Sheet, view: &View, volume: &ViewVolume) {
-    let ViewVolume { left, right, bottom, top, near, far } = *volume;
-    let at = |u, v, w| view.at(vec3(u, v, w));
+    let [left, right, bottom, top, near, far] = marks(volume).map(|p| view.at(p));
     let thin = |ink: Ink| -> Pen { ink.pen().dashed().fine() };
-    sheet.line(at(0.0, 0.0, 0.0), at(0.0, 0.0, far), thin(Ink::Main));
-    sheet.line(at(left, 0.0, near), at(right, 0.0, near), thin(Ink::B));
-    sheet.line(at(0.0, bottom, near), at(0.0, top, near), thin(Ink::B));
+    sheet.line(view.at(Vec3::ZERO), far, thin(Ink::Main));
+    sheet.line(left, right, thin(Ink::B));
+    sheet.line(bottom, top, thin(Ink::B));
     let axis = |name, tip| Vector::new(name, view.at(tip), Ink::Main);
     let eye = view.at(Vec3::ZERO);
     sheet.vectors(eye, &[axis("u", Vec3::X), axis("v", Vec3::Y), axis("w", Vec3::Z)]);
-    for p in [eye, at(0.0, 0.0, near), at(0.0, 0.0, far)] {
+    for p in [eye, near, far] {
         sheet.dot(p, Ink::Main);
     }
     let (aside, below) = (vec2(sheet.units(11.0), 0.0), vec2(0.0, -sheet.units(14.0)));
     sheet.names(&[
         (eye + below - aside, "e", Ink::Main),
-        (at(left, 0.0, near) - aside, "l", Ink::B),
-        (at(right, 0.0, near) + aside, "r", Ink::B),
-        (at(0.0, bottom, near) + below, "b", Ink::B),
-        (at(0.0, top, near) - below, "t", Ink::B),
-        (at(0.0, 0.0, near) + below + 2.0 * aside, "n", Ink::Main),
-        (at(0.0, 0.0, far) + below, "f", Ink::Main),
+        (left - aside, "l", Ink::B),
+        (right + aside, "r", Ink::B),
+        (bottom + below, "b", Ink::B),
+        (top - below, "t", Ink::B),
+        (near + below + 2.0 * aside, "n", Ink::Main),
+        (far + below, "f", Ink::Main),
     ]);
+}
+
+fn handles(values: &Values) -> Handled {
+    let volume = volume(values);
+    let (view, sheet) = laid_out(&volume)?;
+    let [left, right, bottom, top, near, far] = marks(&volume).map(|p| view.at(p));
+    let list: [(Text, &[&str], Vec2); 6] = [
+        (Text { en: "the left edge", nl: "de linkerrand" }, &["l"], left),
+        (Text { en: "the right edge", nl: "de rechterrand" }, &["r"], right),
+        (Text { en: "the bottom edge", nl: "de onderrand" }, &["b"], bottom),
+        (Text { en: "the top edge", nl: "de bovenrand" }, &["t"], top),
+        (Text { en: "the near plane", nl: "het near-vlak" }, &["n"], near),
+        (Text { en: "the far plane", nl: "het far-vlak" }, &["f"], far),
+    ];
+    Ok(vec![Handles::on(&sheet, list)])
 }

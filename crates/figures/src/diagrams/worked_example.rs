@@ -6,9 +6,10 @@ use raytrace::triangle::{Solution, System, cramer, system};
 use sheet::text::{decimal, triple};
 use sheet::view::View;
 use sheet::{Ink, Letters, Sheet, Side};
+use transforms::DegenerateCamera;
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
-use crate::handle::without_handles;
+use crate::handle::{Handled, Handles, with_handles};
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -26,19 +27,38 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
-    handles: without_handles,
+    handles,
 };
 
+fn ray(values: &Values) -> Ray {
+    Ray::new(["x", "y", "z"].map(|axis| values.number(axis)).into(), Vec3::NEG_ONE)
+}
+
+/// The point of the plane y = 0 below another.
+fn below(p: Vec3) -> Vec3 {
+    vec3(p.x, 0.0, p.z)
+}
+
+/// The view, and a sheet that shows the axes and the whole ray.
+fn laid_out(ray: &Ray) -> Result<(View, Sheet), DegenerateCamera> {
+    let view = View::new(vec3(5.0, 2.6, 3.2), Vec3::ZERO)?;
+    let axes = [1.4 * Vec3::X, 1.4 * Vec3::Y, 1.4 * Vec3::Z];
+    let ends = axes.into_iter().chain([ray.origin, ray.at(LAST_T), below(ray.origin)]);
+    let seen: Vec<Vec2> = ends.map(|p| view.at(p)).collect();
+    Ok((view, Sheet::around(&seen, vec2(760.0, 460.0), 34.0, 300.0)))
+}
+
 fn draw(values: &Values) -> Drawn {
-    let ray = Ray::new(["x", "y", "z"].map(|axis| values.number(axis)).into(), Vec3::NEG_ONE);
+    let ray = ray(values);
     let triangle = Triangle::new(Vec3::X, Vec3::Y, Vec3::Z);
     let system = system(&ray, &triangle);
     let found = cramer(&system).ok_or("the ray is parallel to the plane")?;
-    let view = View::new(vec3(5.0, 2.6, 3.2), Vec3::ZERO)?;
-    let ends = [ray.origin, ray.at(LAST_T), 1.4 * Vec3::X, 1.4 * Vec3::Y, 1.4 * Vec3::Z];
-    let seen: Vec<Vec2> = ends.iter().map(|p| view.at(*p)).collect();
-    let mut sheet = Sheet::around(&seen, vec2(760.0, 460.0), 34.0, 300.0);
+    let (view, mut sheet) = laid_out(&ray)?;
     axes(&mut sheet, &view);
+    // Where the eye stands is not seen from one side; the point of the floor below it tells.
+    let below = view.at(below(ray.origin));
+    sheet.line(view.at(ray.origin), below, Ink::Faint.pen().dashed().fine());
+    sheet.dot(below, Ink::Faint);
     let corners = triangle.corners().map(|corner| view.at(corner));
     sheet.wash(&corners, Ink::B);
     sheet.polygon(&corners, Ink::B.pen());
@@ -62,7 +82,7 @@ fn draw(values: &Values) -> Drawn {
     sheet.names(&names);
     numbers(&mut sheet, &ray, &system, &found);
     let alt = alt(&found);
-    Ok(vec![Drawing::only(alt, |alt| sheet.svg(alt))])
+    with_handles(vec![Drawing::only(alt, |alt| sheet.svg(alt))], handles(values))
 }
 
 /// The ray is drawn from the eye to here.
@@ -116,4 +136,19 @@ fn alt(found: &Solution) -> Words {
             "Een straal snijdt het vlak van een driehoek met hoekpunten op de drie assen bij α = {alpha}, β = {beta}, γ = {gamma}, t = {t}."
         ),
     )
+}
+
+/// Seen from here x comes towards the reader: z and y are taken at the eye, x and z on the floor.
+fn handles(values: &Values) -> Handled {
+    let ray = ray(values);
+    let (view, sheet) = laid_out(&ray)?;
+    let list: [(Text, &[&str], Vec2); 2] = [
+        (Text { en: "the eye e", nl: "het oog e" }, &["z", "y"], view.at(ray.origin)),
+        (
+            Text { en: "the place below the eye", nl: "de plek onder het oog" },
+            &["x", "z"],
+            view.at(below(ray.origin)),
+        ),
+    ];
+    Ok(vec![Handles::on(&sheet, list)])
 }

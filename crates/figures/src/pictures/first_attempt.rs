@@ -1,15 +1,12 @@
 //! What is wrong with c = c_l (e·r), and what does Phong's exponent mend? (L30, L31)
 
-use canvas::{Image, Rgb};
-use geometry::Sphere;
+use canvas::Rgb;
 use glam::{Vec3, vec3};
 use lighting::{phong_highlight, reflect};
-use raytrace::{sphere, viewing_ray};
-use transforms::{Camera, Pipeline, ViewVolume};
 
-use super::studio::Fault;
+use crate::ball;
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
-use crate::handle::without_handles;
+use crate::handle::{Handled, with_handles};
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -35,20 +32,18 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (360, 360),
     draw,
-    handles: without_handles,
+    handles,
 };
 
 fn draw(values: &Values) -> Drawn {
-    let (p, angle) = (values.number("p"), values.number("light").to_radians());
-    let to_light = vec3(-angle.sin() * 0.8, angle.sin() * 0.6, angle.cos());
+    let (p, to_light) = (values.number("p"), to_light(values.number("light")));
     let mut least = f32::INFINITY;
-    let first = ball(values.size(), |n, to_eye| {
+    let [first, phong] = ball::pictures(values.size(), |n, to_eye| {
         let value = to_eye.dot(reflect(n, to_light));
         least = least.min(value);
-        value
+        [shown(value), shown(phong_highlight(n, to_light, to_eye, p))]
     })?;
-    let phong = ball(values.size(), |n, to_eye| phong_highlight(n, to_light, to_eye, p))?;
-    Ok(vec![
+    let drawings = vec![
         Drawing::picture(
             "attempt",
             Words::new(
@@ -69,29 +64,23 @@ fn draw(values: &Values) -> Drawn {
             ),
             phong,
         ),
-    ])
+    ];
+    with_handles(drawings, handles(values))
 }
 
-/// A value at each point of a unit ball: white for 1, black for 0, blue below; grey beside the ball.
-fn ball((width, height): (u32, u32), mut value: impl FnMut(Vec3, Vec3) -> f32) -> Result<Image, Fault> {
-    const BESIDE: Rgb = Rgb::splat(0.08);
-    /// Rays along each side of a pixel.
-    const FINER: u32 = 2;
-    let (width, height) = (FINER * width, FINER * height);
-    let camera = Camera::look_at(vec3(0.0, 0.0, 6.0), Vec3::ZERO, Vec3::Y)?;
-    // Up and down a little more than the ball; also sideways if the picture is narrow.
-    let aspect = width as f32 / height as f32;
-    let fov = 2.0 * (0.2 / aspect.min(1.0)).atan();
-    let pipeline = Pipeline::new(camera, ViewVolume::from_fov_y(fov, aspect, -1.0, -9.0)?, width, height)?;
-    let unit = Sphere::new(Vec3::ZERO, 1.0);
-    let image = Image::from_fn(width, height, |i, j| {
-        let ray = viewing_ray(&pipeline, i as f32, j as f32);
-        let Some(t) = sphere::intersect(&ray, &unit, 0.0, f32::INFINITY) else {
-            return BESIDE;
-        };
-        let n = ray.at(t).normalize();
-        let value = value(n, -ray.direction.normalize());
-        if value >= 0.0 { Rgb::splat(value) } else { Rgb::new(0.1, 0.25, 1.0) * -value }
-    });
-    Ok(image.box_downsampled(FINER))
+/// White for 1, black for 0, blue below.
+fn shown(value: f32) -> Rgb {
+    if value >= 0.0 { Rgb::splat(value) } else { Rgb::new(0.1, 0.25, 1.0) * -value }
+}
+
+/// To the light, so many degrees from the gaze: above the eye at the left.
+fn to_light(degrees: f32) -> Vec3 {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    vec3(-0.8 * sin, 0.6 * sin, cos)
+}
+
+fn handles(values: &Values) -> Handled {
+    let light = ball::place(values.size(), to_light(values.number("light")))?;
+    let name = Text { en: "where the ball faces the light", nl: "waar de bol naar het licht wijst" };
+    Ok([(); 2].map(|()| ball::handles(values.size()).and(name, &["light"], light)).into())
 }

@@ -1,10 +1,15 @@
 //! What does a shadow ray change? (L56, L57)
 
+use glam::{Vec2, Vec3, vec2, vec3};
 use scene::{Renderer, Settings};
+use sheet::text::triple;
+use sheet::view::View;
+use sheet::{Ink, Letters, Sheet, Side};
+use transforms::{Camera, DegenerateCamera, Pipeline, ViewVolume};
 
 use super::studio::{Fault, scene, settings, shot};
-use crate::figure::{Drawing, Drawn, Figure, Text};
-use crate::handle::without_handles;
+use crate::figure::{Drawing, Drawn, Figure, Text, Words};
+use crate::handle::{Handled, Handles, in_picture, with_handles};
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -12,8 +17,8 @@ pub(super) static FIGURE: Figure = Figure {
     name: "shadows",
     title: Text { en: "Ray tracing with shadows", nl: "Ray tracing met schaduwen" },
     caption: Text {
-        en: "From each visible point a ray goes to the light. Where it meets an object, diffuse and specular light are left out and ambient light alone remains.",
-        nl: "Van elk zichtbaar punt gaat een straal naar het licht. Waar die een object raakt vervallen diffuus en spiegelend licht, en blijft alleen het omgevingslicht over.",
+        en: "From each visible point a ray goes to the light. Where it meets an object, diffuse and specular light are left out and ambient light alone remains. The drawing from outside shows where the light is.",
+        nl: "Van elk zichtbaar punt gaat een straal naar het licht. Waar die een object raakt vervallen diffuus en spiegelend licht, en blijft alleen het omgevingslicht over. De tekening van buiten toont waar het licht is.",
     },
     parameters: &[
         Parameter::number("x", Text { en: "x of the light", nl: "x van het licht" }, -3.0, -6.0, 6.0),
@@ -28,18 +33,29 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (400, 300),
     draw,
-    handles: without_handles,
+    handles,
 };
 
+/// The camera of the pictures, the angle in degrees.
+const EYE: Vec3 = vec3(1.5, 3.4, 8.0);
+const TARGET: Vec3 = vec3(0.0, 0.7, 0.0);
+const FOV: f32 = 36.0;
+/// The red ball, whose top throws the shadow that can be taken.
+const BALL: Vec3 = vec3(-0.6, 0.9, 0.5);
+const RADIUS: f32 = 0.9;
+const TOP: Vec3 = vec3(BALL.x, BALL.y + RADIUS, BALL.z);
+
 fn draw(values: &Values) -> Drawn {
-    let [x, y, z] = ["x", "y", "z"].map(|axis| values.number(axis));
+    let lamp = lamp(values);
+    let (Vec3 { x, y, z }, [eye_x, eye_y, eye_z]) = (lamp, EYE.to_array());
+    let ([aim_x, aim_y, aim_z], [ball_x, ball_y, ball_z]) = (TARGET.to_array(), BALL.to_array());
     let loaded = scene(&format!(
         r#"
 background = [0.45, 0.55, 0.68]
 [camera]
-eye = [1.5, 3.4, 8]
-target = [0, 0.7, 0]
-fov = 36
+eye = [{eye_x}, {eye_y}, {eye_z}]
+target = [{aim_x}, {aim_y}, {aim_z}]
+fov = {FOV}
 [[light]]
 kind = "ambient"
 color = 0.28
@@ -69,7 +85,7 @@ polygons = [[[-60, 0, 12], [60, 0, 12], [60, 0, -60], [-60, 0, -60]]]
 shape = "sphere"
 level = 5
 material = "red"
-transforms = [{{ scale = 0.9 }}, {{ translate = [-0.6, 0.9, 0.5] }}]
+transforms = [{{ scale = {RADIUS} }}, {{ translate = [{ball_x}, {ball_y}, {ball_z}] }}]
 [[object]]
 shape = "box"
 size = [1.1, 1.9, 1.1]
@@ -96,5 +112,125 @@ transforms = [{{ rotate = 68, axis = [1, 0, 0] }}, {{ rotate = 25, axis = [0, 1,
         en: "The same without shadows: the ring might lie or float anywhere.",
         nl: "Hetzelfde zonder schaduwen: de ring kan overal liggen of zweven.",
     };
-    [(false, "without-shadow", without), (true, "with-shadow", with)].into_iter().map(drawing).collect()
+    let mut drawings = Vec::new();
+    for which in [(false, "without-shadow", without), (true, "with-shadow", with)] {
+        drawings.push(drawing(which)?);
+    }
+    drawings.push(from_outside(lamp)?);
+    with_handles(drawings, handles(values))
+}
+
+fn lamp(values: &Values) -> Vec3 {
+    ["x", "y", "z"].map(|axis| values.number(axis)).into()
+}
+
+/// The lamp is beside the picture, so there it is taken by the shadow of the ball's top; from outside by itself and by the place
+/// below it.
+fn handles(values: &Values) -> Handled {
+    let (lamp, (width, height)) = (lamp(values), values.size());
+    let aspect = width as f32 / height as f32;
+    // Near and far do not matter to where something is seen.
+    let volume = ViewVolume::from_fov_y(FOV.to_radians(), aspect, -1.0, -100.0)?;
+    let pipeline = Pipeline::new(Camera::look_at(EYE, TARGET, Vec3::Y)?, volume, width, height)?;
+    let size = vec2(width as f32, height as f32);
+    let name = Text { en: "the shadow of the ball's top", nl: "de schaduw van de top van de bol" };
+    let view = outside()?;
+    let list: [(Text, &[&str], Vec2); 2] = [
+        (Text { en: "the light", nl: "het licht" }, &["x", "y"], view.at(lamp)),
+        (
+            Text { en: "the place below the light", nl: "de plek onder het licht" },
+            &["x", "z"],
+            view.at(on_the_floor(lamp)),
+        ),
+    ];
+    Ok(vec![
+        Handles::none(size),
+        // A low lamp at the back throws the shadow behind the eye; then there is nothing to take.
+        match in_picture(&pipeline, shadow(lamp)) {
+            Some(shadow) => Handles::none(size).and(name, &["x", "z"], shadow),
+            None => Handles::none(size),
+        },
+        Handles::on(&sheet(&view), list),
+    ])
+}
+
+/// Where the shadow of the ball's top falls: the lamp is always higher.
+fn shadow(lamp: Vec3) -> Vec3 {
+    let down = lamp.y / (lamp.y - TOP.y);
+    on_the_floor(lamp + down * (TOP - lamp))
+}
+
+fn on_the_floor(p: Vec3) -> Vec3 {
+    vec3(p.x, 0.0, p.z)
+}
+
+fn outside() -> Result<View, DegenerateCamera> {
+    View::new(vec3(4.0, 4.0, 9.0), Vec3::ZERO)
+}
+
+/// The sides of the floor that is drawn, left and right of the middle: the lamp stays above it.
+const FLOOR: f32 = 6.0;
+/// The lamp gets no higher.
+const CEILING: f32 = 12.0;
+
+/// A sheet that shows every place that the lamp can have.
+fn sheet(view: &View) -> Sheet {
+    let ends = [-FLOOR, FLOOR];
+    let places = ends.into_iter().flat_map(|x| ends.map(|z| vec2(x, z)));
+    let seen: Vec<Vec2> =
+        places.flat_map(|at| [0.0, CEILING].map(|y| view.at(vec3(at.x, y, at.y)))).collect();
+    Sheet::around(&seen, vec2(640.0, 560.0), 24.0, 0.0)
+}
+
+/// The lamp above the floor, and how it throws the shadow of the ball.
+fn from_outside(lamp: Vec3) -> Result<Drawing, Fault> {
+    let view = outside()?;
+    let mut sheet = sheet(&view);
+    let at = |p: Vec3| view.at(p);
+    let floor = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+    let floor = floor.map(|(x, z)| at(FLOOR * vec3(x, 0.0, z)));
+    sheet.wash(&floor, Ink::Faint);
+    sheet.polygon(&floor, Ink::Faint.pen());
+    sheet.circle(at(BALL), RADIUS, Ink::B.pen());
+    let (foot, shadow) = (on_the_floor(lamp), shadow(lamp));
+    sheet.line(at(foot), at(lamp), Ink::Faint.pen().dashed());
+    sheet.line(at(lamp), at(TOP), Ink::A.pen());
+    sheet.line(at(TOP), at(shadow), Ink::D.pen().dashed());
+    sheet.dot(at(foot), Ink::Faint);
+    sheet.dot(at(shadow), Ink::D);
+    sheet.dot(at(lamp), Ink::A);
+    sheet.label(at(lamp), Side::Right, Words::new("light", "licht"), Letters::Plain, Ink::A);
+    sheet.label(at(BALL), Side::Middle, Words::new("ball", "bol"), Letters::Plain, Ink::B);
+    let alt = Words::new(
+        format!(
+            "From outside: the light at {} above the floor, and the way from it past the top of the ball to its shadow at {}.",
+            triple(lamp),
+            triple(shadow)
+        ),
+        format!(
+            "Van buiten: het licht op {} boven de vloer, en de weg ervan langs de top van de bol naar zijn schaduw op {}.",
+            triple(lamp),
+            triple(shadow)
+        ),
+    );
+    Ok(Drawing::diagram("from-outside", alt.clone(), sheet.svg(&alt)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_handle_is_seen_by_the_camera_of_the_scene() {
+        let values = Values::of(&FIGURE);
+        let picture = |lists: Vec<Handles>| lists[1].handles[0].at;
+        let at = picture(handles(&values).unwrap());
+        let Drawing { content, .. } = &draw(&values).unwrap()[1];
+        let crate::figure::Content::Picture(with) = content else { panic!("lines") };
+        let size = vec2(with.width() as f32, with.height() as f32);
+        let pixel = (at * size).as_uvec2();
+        let place = with.pixels()[(pixel.y * with.width() + pixel.x) as usize];
+        // Ambient light alone: 0.28 of the floor's colour.
+        assert!(place.abs_diff_eq(0.28 * vec3(0.66, 0.64, 0.58), 0.01), "{place} at {pixel}");
+    }
 }

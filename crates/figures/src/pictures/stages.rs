@@ -10,7 +10,7 @@ use transforms::{Camera, Pipeline, ViewVolume};
 
 use super::studio::Fault;
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
-use crate::handle::without_handles;
+use crate::handle::{Handled, Handles, in_picture, with_handles};
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -35,7 +35,7 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (360, 300),
     draw,
-    handles: without_handles,
+    handles,
 };
 
 /// The screen of the figure: few pixels, so that its numbers stay small.
@@ -50,10 +50,7 @@ struct Stage {
 }
 
 fn draw(values: &Values) -> Drawn {
-    let camera = Camera::look_at(vec3(3.0, 4.4, 6.8), vec3(0.2, 1.5, 0.0), Vec3::Y)?;
-    let volume = ViewVolume::from_fov_y(0.62, 4.0 / 3.0, -values.number("near"), -FAR)?;
-    let pipeline = Pipeline::new(camera, volume, SCREEN.0, SCREEN.1)?;
-    let point: Vec3 = ["x", "y", "z"].map(|axis| values.number(axis)).into();
+    let (pipeline, point) = (pipeline(values.number("near"))?, point(values));
     let stages = stages(&pipeline);
     let mut drawings = Vec::new();
     for stage in &stages {
@@ -74,7 +71,74 @@ fn draw(values: &Values) -> Drawn {
         drawings.push(Drawing::picture(stage.name, alt, image));
     }
     drawings.push(table(&pipeline, point));
-    Ok(drawings)
+    with_handles(drawings, handles(values))
+}
+
+fn point(values: &Values) -> Vec3 {
+    ["x", "y", "z"].map(|axis| values.number(axis)).into()
+}
+
+/// The camera whose pipeline the figure follows.
+fn pipeline(near: f32) -> Result<Pipeline, Fault> {
+    let camera = Camera::look_at(vec3(3.0, 4.4, 6.8), vec3(0.2, 1.5, 0.0), Vec3::Y)?;
+    let volume = ViewVolume::from_fov_y(0.62, 4.0 / 3.0, -near, -FAR)?;
+    Ok(Pipeline::new(camera, volume, SCREEN.0, SCREEN.1)?)
+}
+
+/// The point in each picture, by turns along x and y and along z and y, since a picture has two directions. The near plane
+/// where it has a place of its own; later spaces put it where they put every near plane.
+fn handles(values: &Values) -> Handled {
+    let (pipeline, point) = (pipeline(values.number("near"))?, point(values));
+    let (width, height) = values.size();
+    let mut lists = Vec::new();
+    for (k, stage) in stages(&pipeline).iter().enumerate() {
+        let photograph = Observer::of(stage, &pipeline).photograph(values.size())?;
+        let place = |p: Vec3| {
+            in_picture(&photograph, stage.from_world.project_point3(p)).ok_or("behind the observer")
+        };
+        let (name, moves): (_, &[&str]) = if k % 2 == 0 {
+            (Text { en: "the point, along x and y", nl: "het punt, langs x en y" }, &["x", "y"])
+        } else {
+            (Text { en: "the point, along z and y", nl: "het punt, langs z en y" }, &["z", "y"])
+        };
+        let mut list = Handles::none(vec2(width as f32, height as f32)).and(name, moves, place(point)?);
+        if k < 2 {
+            let [first, .., third] = [0, 1, 2].map(|corner| corners(&pipeline)[corner]);
+            let near = Text { en: "the near plane", nl: "het near-vlak" };
+            list = list.and(near, &["near"], place(0.5 * (first + third))?);
+        }
+        lists.push(list);
+    }
+    Ok(lists)
+}
+
+/// Whoever looks at a stage: the middle of the viewing volume there, and how far it reaches.
+struct Observer {
+    corners: [Vec3; 8],
+    middle: Vec3,
+    radius: f32,
+}
+
+impl Observer {
+    fn of(stage: &Stage, pipeline: &Pipeline) -> Self {
+        let corners = corners(pipeline).map(|p| stage.from_world.project_point3(p));
+        let middle = corners.iter().sum::<Vec3>() / 8.0;
+        let radius = corners.iter().map(|p| p.distance(middle)).fold(0.0, f32::max);
+        Self { corners, middle, radius }
+    }
+
+    /// A look from aside and above, from where each space looks alike.
+    fn photograph(&self, (width, height): (u32, u32)) -> Result<Pipeline, Fault> {
+        const FOV: f32 = 0.45;
+        let Self { middle, radius, .. } = *self;
+        let aspect = width as f32 / height as f32;
+        let fov_y = 2.0 * ((0.5 * FOV).tan() / aspect.min(1.0)).atan();
+        let distance = radius / (0.5 * FOV).sin();
+        let eye = middle + distance * vec3(1.0, 0.5, 0.75).normalize();
+        let (near, far) = (-(distance - 1.1 * radius), -(distance + 1.1 * radius));
+        let volume = ViewVolume::from_fov_y(fov_y, aspect, near, far)?;
+        Ok(Pipeline::new(Camera::look_at(eye, middle, Vec3::Y)?, volume, width, height)?)
+    }
 }
 
 fn stages(pipeline: &Pipeline) -> [Stage; 5] {
@@ -109,9 +173,8 @@ fn picture(stage: &Stage, pipeline: &Pipeline, point: Vec3, size: (u32, u32)) ->
     let pot = shapes::teapot(3)?.without_normals();
     let moved = pot.positions().iter().map(map).collect();
     let pot = with_vertex_normals(pot.with_positions(moved)?, CREASE_ANGLE);
-    let corners = corners(pipeline).map(|p| map(&p));
-    let middle = corners.iter().sum::<Vec3>() / 8.0;
-    let radius = corners.iter().map(|p| p.distance(middle)).fold(0.0, f32::max);
+    let observer = Observer::of(stage, pipeline);
+    let Observer { corners, radius, .. } = observer;
     let (bar, ball) = (shapes::cuboid(Vec3::ONE, 0)?, shapes::icosphere(3)?);
     let clay = [Material { diffuse: vec3(0.62, 0.42, 0.22), specular: Rgb::splat(0.2), exponent: 30.0 }];
     let (line, red) = ([Material::matt(vec3(0.05, 0.15, 0.5))], [Material::matt(vec3(0.9, 0.05, 0.03))]);
@@ -126,7 +189,7 @@ fn picture(stage: &Stage, pipeline: &Pipeline, point: Vec3, size: (u32, u32)) ->
     for [a, b] in edges() {
         objects.push(object(&bar, along(corners[a], corners[b], 0.012 * radius), &line));
     }
-    photograph(&objects, middle, radius, size)
+    developed(&objects, &observer, size)
 }
 
 fn object<'a>(mesh: &'a Mesh, world_from_object: Mat4, materials: &'a [Material]) -> Object<'a> {
@@ -145,29 +208,16 @@ fn along(a: Vec3, b: Vec3, thickness: f32) -> Mat4 {
     Mat4::from_scale_rotation_translation(size, turn, 0.5 * (a + b))
 }
 
-/// A look at the stage from aside and above, from where each space looks alike.
-fn photograph(
-    objects: &[Object],
-    middle: Vec3,
-    radius: f32,
-    (width, height): (u32, u32),
-) -> Result<Image, Fault> {
+/// What the observer sees.
+fn developed(objects: &[Object], observer: &Observer, (width, height): (u32, u32)) -> Result<Image, Fault> {
     /// Samples along each side of a pixel.
     const FINER: u32 = 2;
-    const FOV: f32 = 0.45;
     let lights = [
         Light::Ambient { color: Rgb::splat(0.35) },
         Light::Directional { to_light: vec3(0.9, 1.0, 0.3).normalize(), color: Rgb::splat(0.6) },
     ];
     let world = World { objects, lights: &lights, background: Rgb::splat(0.85), highlight: Highlight::Blinn };
-    let aspect = width as f32 / height as f32;
-    let fov_y = 2.0 * ((0.5 * FOV).tan() / aspect.min(1.0)).atan();
-    let distance = radius / (0.5 * FOV).sin();
-    let eye = middle + distance * vec3(1.0, 0.5, 0.75).normalize();
-    let volume =
-        ViewVolume::from_fov_y(fov_y, aspect, -(distance - 1.1 * radius), -(distance + 1.1 * radius))?;
-    let camera = Camera::look_at(eye, middle, Vec3::Y)?;
-    let pipeline = Pipeline::new(camera, volume, FINER * width, FINER * height)?;
+    let pipeline = observer.photograph((FINER * width, FINER * height))?;
     Ok(render(&world, &pipeline, Shading::Phong, Visibility::default()).image.box_downsampled(FINER))
 }
 

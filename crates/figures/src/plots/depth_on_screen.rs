@@ -1,5 +1,7 @@
 //! Which depth lies halfway on the screen? Not the one halfway in space (E9).
 
+use std::error::Error;
+
 use glam::{Vec3, vec3};
 use sheet::Ink;
 use sheet::plot::{Axis, Kind, Plot, Series};
@@ -7,7 +9,7 @@ use sheet::text::decimal;
 use transforms::{Camera, Pipeline, ViewVolume};
 
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
-use crate::handle::without_handles;
+use crate::handle::{Handled, Handles, with_handles};
 use crate::parameter::{Parameter, Values};
 
 pub(super) static FIGURE: Figure = Figure {
@@ -36,16 +38,12 @@ pub(super) static FIGURE: Figure = Figure {
     ],
     size: (640, 480),
     draw,
-    handles: without_handles,
+    handles,
 };
 
 fn draw(values: &Values) -> Drawn {
     let (near_end, far_end) = (values.number("near_end"), values.number("far_end"));
-    // Camera space is world space: the eye stands at the origin and looks along −z.
-    let camera = Camera::look_at(Vec3::ZERO, Vec3::NEG_Z, Vec3::Y)?;
-    let pipeline = Pipeline::new(camera, ViewVolume::from_fov_y(1.5, 1.0, -0.5, -250.0)?, 200, 200)?;
-    // From the left to the right of the picture, and away from the eye.
-    let ends = [vec3(0.6 * near_end, 0.1 * near_end, near_end), vec3(-0.6 * far_end, 0.2 * far_end, far_end)];
+    let (pipeline, ends) = (pipeline()?, ends(values));
     let [from, to] = on_screen(&pipeline, ends)?;
     let plot = plot(&pipeline, ends)?;
     let middle = decimal(0.5 * (near_end + far_end), 2);
@@ -58,7 +56,28 @@ fn draw(values: &Values) -> Drawn {
             "Halverwege op het scherm is de ware camera-z {halfway_z}; recht interpoleren geeft {middle}."
         ),
     );
-    Ok(vec![Drawing::only(alt, |alt| plot.svg(alt))])
+    with_handles(vec![Drawing::only(alt, |alt| plot.svg(alt))], handles(values))
+}
+
+fn pipeline() -> Result<Pipeline, Box<dyn Error + Send + Sync>> {
+    // Camera space is world space: the eye stands at the origin and looks along −z.
+    let camera = Camera::look_at(Vec3::ZERO, Vec3::NEG_Z, Vec3::Y)?;
+    Ok(Pipeline::new(camera, ViewVolume::from_fov_y(1.5, 1.0, -0.5, -250.0)?, 200, 200)?)
+}
+
+/// From the left to the right of the picture, and away from the eye.
+fn ends(values: &Values) -> [Vec3; 2] {
+    let (near_end, far_end) = (values.number("near_end"), values.number("far_end"));
+    [vec3(0.6 * near_end, 0.1 * near_end, near_end), vec3(-0.6 * far_end, 0.2 * far_end, far_end)]
+}
+
+/// The far end has no handle: the axis always reaches down to it, so its place never changes.
+fn handles(values: &Values) -> Handled {
+    let ends = ends(values);
+    let plot = plot(&pipeline()?, ends)?;
+    let name = Text { en: "camera z of the near end", nl: "camera-z van het nabije eind" };
+    let at = plot.share((0.0, f64::from(ends[0].z)));
+    Ok(vec![Handles::none(Plot::SIZE).and(name, &["near_end"], at)])
 }
 
 fn plot(pipeline: &Pipeline, ends: [Vec3; 2]) -> Result<Plot, &'static str> {

@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 use std::time::Duration;
 
 use course::Exercise;
-use grader::{Build, Judge, Judgement, Kit};
+use grader::{Build, Judge, Judgement, Kit, Opened, Outcome};
 use sandbox::Launcher;
 
 /// The line of the submission on which the function's body begins.
@@ -94,6 +94,22 @@ impl Bench {
 
     pub(crate) fn judge_path(&self, file: &Path) -> Judgement {
         self.judge.judge(course::find("rotate_about_point").expect("the exercise"), file, 1)
+    }
+
+    /// One that cannot compile.
+    pub(crate) fn that_cannot_compile() -> Self {
+        let mut bench = Self::new();
+        // Not a folder: no worker's folder can be made in it.
+        bench.judge.scratch = bench.folder.path().join("file/scratch");
+        fs::write(bench.folder.path().join("file"), "").expect("a file");
+        bench
+    }
+
+    /// Compiles a file to be asked.
+    pub(crate) fn open(&self, exercise: &'static Exercise, source: &[u8]) -> Result<Opened, Outcome> {
+        let file = self.folder.path().join("submission.rs");
+        fs::write(&file, source).expect("a file");
+        self.judge.open(exercise, &file)
     }
 
     pub(crate) fn judge_exercise(&self, exercise: &Exercise, source: &[u8], seed: u64) -> Judgement {

@@ -21,3 +21,6 @@ pub(crate) enum Command {
 pub(crate) fn run(_command: &Command) -> Result<Outcome, Failure> {
     elsewhere::run("live", "release")
 }
+
+/// Nothing runs here.
+pub(crate) fn abandon() {}

@@ -5,6 +5,7 @@
 mod args;
 
 use std::path::PathBuf;
+use std::sync::OnceLock;
 
 use play::{Measured, Mine, Server};
 
@@ -14,6 +15,7 @@ use args::PlayArgs;
 use crate::cli::Outcome;
 use crate::failure::Failure;
 use crate::speech::{say, warn};
+use crate::student::workbench::Workbench;
 
 /// Names a folder from which the page's files are read: for who changes them.
 const PAGE: &str = "LIGHTLAB_PAGE";
@@ -31,6 +33,7 @@ pub(crate) fn run(Command::Play(asked): &Command) -> Result<Outcome, Failure> {
             "end what uses the ports, or choose another one: cargo lab play --port 8000",
         )
     })?;
+    let server = SERVER.get_or_init(|| server);
     let address = server.address(&place);
     say(&address)?;
     if !asked.no_open {
@@ -69,7 +72,9 @@ fn place(asked: &PlayArgs) -> Result<String, Failure> {
         .map(|figure| figure.stem())
         .or_else(|| views.contains(&name).then(|| name.to_owned()))
         .or_else(|| {
-            figures::claims::find(name).first().map(|claim| format!("claims?claim={}", claim.stem()))
+            figures::claims::find(name)
+                .first()
+                .map(|claim| format!("{}?claim={}", claim.number, claim.stem()))
         })
     else {
         return Err(Failure::new(
@@ -94,9 +99,26 @@ fn is_plain(sign: char) -> bool {
     sign.is_ascii_alphanumeric() || "=&.,-_+%".contains(sign)
 }
 
-/// Draws with the exercises of this copy of the project.
+/// Draws with the exercises of this copy of the project. Elsewhere there are none, and every figure but those moves all the same.
 fn mine() -> Mine {
-    Mine
+    match Workbench::find() {
+        Ok(bench) => {
+            let exercises = bench.exercises.clone();
+            let words = |failure: Failure| format!("{}: {}", failure.problem, failure.remedy);
+            Mine::new(exercises, Box::new(move || bench.judge(None).map_err(words)))
+        }
+        Err(failure) => Mine::new(PathBuf::new(), Box::new(move || Err(failure.problem.clone()))),
+    }
+}
+
+/// The server that runs, for the one who ends it.
+static SERVER: OnceLock<Server> = OnceLock::new();
+
+/// Leaves nothing behind that was compiled.
+pub(crate) fn abandon() {
+    if let Some(server) = SERVER.get() {
+        server.clear();
+    }
 }
 
 /// What was measured, in a line for each number.

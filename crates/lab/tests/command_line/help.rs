@@ -5,7 +5,7 @@ use crate::desk::{Desk, MESH};
 #[test]
 fn the_help_text_names_the_commands_and_the_exit_codes() {
     let help = Desk::new().lab("--help").done().out;
-    for words in ["check", "watch", "render", "compare", "scenes", "Exit codes", "130", "board"] {
+    for words in ["check", "watch", "render", "compare", "scenes", "play", "Exit codes", "130", "board"] {
         assert!(help.contains(words), "no {words:?} in {help}");
     }
 }
@@ -13,7 +13,8 @@ fn the_help_text_names_the_commands_and_the_exit_codes() {
 #[test]
 fn no_line_of_help_is_wider_than_a_page() {
     let desk = Desk::new();
-    for command in ["", "check", "watch", "hint", "solution", "reset", "render", "compare", "scenes"] {
+    for command in ["", "check", "watch", "hint", "solution", "reset", "render", "compare", "scenes", "play"]
+    {
         for line in desk.lab(&format!("{command} --help")).done().out.lines() {
             assert!(line.chars().count() <= 100, "{line}");
         }

@@ -9,6 +9,7 @@ mod help;
 mod interruption;
 #[cfg(target_os = "linux")]
 mod made_up_class;
+mod play;
 mod render;
 mod scenes;
 mod student;

@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
-use canvas::Rgb;
 use canvas::srgb::EightBitSteps;
+use canvas::{Image, Rgb};
 use hyper::StatusCode;
 use hyper::header::HeaderValue;
 use rayon::prelude::*;
@@ -66,9 +66,9 @@ pub(crate) fn draw(stage: &Stage, asked: &Asked) -> Result<Frame, Refusal> {
     let (width, height) = settings.size;
     settings.size = (width.div_ceil(asked.scale), height.div_ceil(asked.scale));
     let (width, height) = settings.size;
-    let (row, pixels, notes) = match asked.rows {
+    let (row, image, notes) = match asked.rows {
         Some([from, to]) if renderer == Renderer::Raytrace && settings.show == Show::Color => {
-            if from > to || to > height {
+            if from >= to || to > height {
                 return Err(Refusal::new("no such rows", "zulke rijen zijn er niet"));
             }
             let world = prepared.traced_world(&settings)?;
@@ -79,16 +79,16 @@ pub(crate) fn draw(stage: &Stage, asked: &Asked) -> Result<Frame, Refusal> {
                 ..raytrace::Settings::default()
             };
             let pixels = raytrace::render_rows(&world, &prepared.pipeline(width, height)?, &rays, from..to);
-            (from, pixels, Vec::new())
+            (from, Image::from_rows(width, to - from, pixels), Vec::new())
         }
         _ => {
             settings.samples = if renderer == Renderer::Raytrace { asked.samples } else { 1 };
             let rendered = scene::render(&prepared, &settings, &|_| ())?;
-            (0, rendered.image.pixels().to_vec(), rendered.notes)
+            (0, Some(rendered.image), rendered.notes)
         }
     };
-    let rgba = encoded(&pixels);
-    let height = pixels.len() as u32 / width;
+    let Some(image) = image else { return Err(Refusal::new("no rows", "geen rijen")) };
+    let (rgba, height) = (encoded(image.pixels()), image.height());
     Ok(Frame { width, height, row, rgba, notes, micros: begun.elapsed().as_micros() })
 }
 

@@ -1,29 +1,171 @@
 //! What does a figure look like when the student's own function draws it?
+//!
+//! [`Mine`] compiles the file of an exercise once, asks its function in a process of its own, and gives three pictures: yours, right, and the
+//! difference. Whatever becomes of the file is said in its place.
+//!
+//! - [`which`]: which exercises draw which figure.
+//! - [`light`], [`smooth`], [`screen`], [`rays`]: what each exercise is asked for a picture of pixels; [`calls`]: one call, drawn with lines.
+//! - [`panel`] and [`drawing`]: from answers to pictures.
+//! - [`compiled`]: what is kept from one slider's move to the next.
+//! - [`said`]: what is said where a function cannot be drawn.
+
+mod calls;
+mod compiled;
+mod drawing;
+mod knobs;
+mod light;
+mod panel;
+mod rays;
+mod said;
+mod screen;
+#[cfg(test)]
+mod seen;
+mod smooth;
+mod which;
+
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, UNIX_EPOCH};
 
 use course::Exercise;
 use figures::{Figure, Values};
-use serde_json::Value as Json;
+use grader::{Judge, Opened};
+use serde_json::{Value as Json, json};
+
+use compiled::{Shelf, locked};
+use drawing::{Drawn, words};
+use knobs::Knobs;
+use said::Trouble;
+
+/// All questions of a picture together may take so long. A right function takes a hundredth of it.
+const PATIENCE: Duration = Duration::from_secs(3);
+
+/// Makes the one who compiles.
+type MakeJudge = dyn Fn() -> Result<Judge, String> + Send + Sync;
 
 /// Draws figures with the student's functions.
-#[derive(Debug)]
-pub struct Mine;
+pub struct Mine {
+    exercises: PathBuf,
+    make_judge: Box<MakeJudge>,
+    judge: Mutex<Option<Arc<Judge>>>,
+    shelf: Shelf,
+}
+
+impl std::fmt::Debug for Mine {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Mine").field("exercises", &self.exercises).finish_non_exhaustive()
+    }
+}
 
 impl Mine {
-    /// Those that draw it.
-    #[must_use]
-    pub fn exercises_of(_figure: &Figure) -> Vec<&'static Exercise> {
-        Vec::new()
+    /// For the files in this folder. `make_judge` is asked when the first of them is to be compiled, and again only after it failed: it may build
+    /// the libraries for that, which takes a minute.
+    pub fn new(exercises: PathBuf, make_judge: Box<MakeJudge>) -> Self {
+        Self { exercises, make_judge, judge: Mutex::default(), shelf: Shelf::default() }
     }
 
-    /// Changes with the file.
-    #[must_use]
-    pub fn stamp(&self, _exercise: &Exercise) -> String {
-        String::new()
+    /// The exercises whose functions can draw a figure, the most fitting first.
+    pub fn exercises_of(figure: &Figure) -> Vec<&'static Exercise> {
+        which::exercises_of(figure)
     }
 
-    /// Draws.
-    #[must_use]
-    pub fn draw(&self, _figure: &Figure, _values: &Values, _exercise: &Exercise) -> Json {
-        Json::Null
+    /// Changes when the student's file does, also when it is replaced or vanishes. The file is not read for it.
+    pub fn stamp(&self, exercise: &Exercise) -> String {
+        match std::fs::metadata(self.file(exercise)) {
+            Ok(metadata) => {
+                let since = metadata.modified().ok().and_then(|at| at.duration_since(UNIX_EPOCH).ok());
+                format!("{}-{}", since.unwrap_or_default().as_nanos(), metadata.len())
+            }
+            Err(error) => format!("{:?}", error.kind()),
+        }
     }
+
+    /// A figure, drawn with the function of an exercise: the page's answer, whatever becomes of the file. The first time it may take a minute.
+    ///
+    /// One exercise is drawn by one thread at a time, different ones at once: whoever calls does so where waiting stops nobody else.
+    pub fn draw(&self, figure: &Figure, values: &Values, exercise: &'static Exercise) -> Json {
+        let knobs = Knobs::new(figure, values);
+        self.answer(exercise, self.drawn(&knobs, exercise))
+    }
+
+    /// Forgets what was compiled, and removes it. For the end of a server that does not live to drop this value.
+    pub fn clear(&self) {
+        self.shelf.clear();
+    }
+
+    fn drawn(&self, knobs: &Knobs<'_>, exercise: &'static Exercise) -> Drawn {
+        let file = self.file(exercise);
+        if is_untouched(exercise, &file) {
+            return Drawn::nothing(Trouble::of_file(grader::Outcome::NotStarted));
+        }
+        let judge = match self.judge() {
+            Ok(judge) => judge,
+            Err(why) => return Drawn::nothing(Trouble::fault(&why)),
+        };
+        let slot = self.shelf.slot(exercise);
+        let mut slot = locked(&slot);
+        match slot.open(&judge, exercise, &file) {
+            Ok(opened) => by(opened, knobs, exercise),
+            Err(outcome) => Drawn::nothing(Trouble::of_file(outcome)),
+        }
+    }
+
+    /// The one who compiles, made at the first use.
+    fn judge(&self) -> Result<Arc<Judge>, String> {
+        let mut judge = locked(&self.judge);
+        if let Some(judge) = &*judge {
+            return Ok(Arc::clone(judge));
+        }
+        let made = Arc::new((self.make_judge)()?);
+        *judge = Some(Arc::clone(&made));
+        Ok(made)
+    }
+
+    fn file(&self, exercise: &Exercise) -> PathBuf {
+        self.exercises.join(exercise.path())
+    }
+
+    fn answer(&self, exercise: &Exercise, drawn: Drawn) -> Json {
+        let Drawn { trouble, drawings, differs } = drawn;
+        let (state, message, detail) = match trouble {
+            Some(Trouble { state, message, detail }) => (state, Some(words(&message)), detail),
+            None => ("drawn", None, None),
+        };
+        json!({
+            "state": state,
+            "exercise": exercise.name,
+            "title": { "en": exercise.title.english, "nl": exercise.title.dutch },
+            "message": message,
+            "detail": detail,
+            "file": shown(&self.exercises, exercise),
+            "drawings": drawings,
+            "differs": differs.as_ref().map(|(said, _, _)| words(said)),
+            "differing": differs.as_ref().map(|(_, differing, _)| differing),
+            "of": differs.as_ref().map(|(_, _, of)| of),
+        })
+    }
+}
+
+/// A picture by a compiled function, in a process of its own that has its own time.
+fn by(opened: &Opened, knobs: &Knobs<'_>, exercise: &Exercise) -> Drawn {
+    let mut yours = opened.ask_for(PATIENCE);
+    let panels = which::panels(exercise, knobs);
+    if panels.is_empty() {
+        calls::of_a_call(exercise, knobs, &mut yours)
+    } else {
+        drawing::of_panels(exercise, &panels, &mut yours)
+    }
+}
+
+/// Whether a file is as it was handed out: then nothing has to be made ready to compile it.
+fn is_untouched(exercise: &Exercise, file: &Path) -> bool {
+    let fits = std::fs::metadata(file)
+        .is_ok_and(|metadata| metadata.is_file() && metadata.len() <= grader::LONGEST_FILE);
+    fits && std::fs::read(file).is_ok_and(|bytes| exercise.is_untouched(&bytes))
+}
+
+/// The file's path as the student knows it, from the folder of exercises on.
+fn shown(exercises: &Path, exercise: &Exercise) -> String {
+    let folder = exercises.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    format!("{folder}/{}", exercise.path())
 }

@@ -15,7 +15,38 @@ macro_rules! files {
     };
 }
 
-files!("index.html");
+files!(
+    "address.js",
+    "app.js",
+    "claims.js",
+    "dom.js",
+    "drawings.js",
+    "figure.css",
+    "figures.js",
+    "frame.js",
+    "handles.js",
+    "index.html",
+    "look.js",
+    "loops.css",
+    "loops.js",
+    "measure.js",
+    "mine.js",
+    "names.js",
+    "net.js",
+    "orbit.js",
+    "panel.js",
+    "parameters.js",
+    "picture.js",
+    "refine.js",
+    "show.css",
+    "show.js",
+    "sizes.js",
+    "steps.js",
+    "story.js",
+    "style.css",
+    "tables.js",
+    "words.js",
+);
 
 /// The file of this name; read from `folder` if there is one.
 pub(crate) fn find(name: &str, folder: Option<&Path>) -> Option<File> {

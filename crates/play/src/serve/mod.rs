@@ -36,6 +36,8 @@ const LONGEST_HEAD: usize = 32 << 10;
 const MOST_CONNECTIONS: usize = 256;
 /// So many requests are computed at once; the others wait. Renderers use all processors each.
 const AT_WORK: usize = 3;
+/// So many draw with the student's functions at once: these wait for other processes, and one without end must not keep the others.
+const ASKING: usize = 4;
 /// So many requests may wait; the next are refused.
 const MOST_WAITING: usize = 128;
 
@@ -76,6 +78,7 @@ pub(crate) struct Shared {
     pub(crate) folder: Option<std::path::PathBuf>,
     pub(crate) measured: mpsc::Sender<Measured>,
     work: Semaphore,
+    asking: Semaphore,
     waiting: Semaphore,
 }
 
@@ -112,6 +115,7 @@ impl Server {
             folder,
             measured: sender,
             work: Semaphore::new(AT_WORK),
+            asking: Semaphore::new(ASKING),
             waiting: Semaphore::new(MOST_WAITING),
         });
         Ok(Self { runtime, listener, shared, measured: Mutex::new(receiver) })
@@ -130,6 +134,11 @@ impl Server {
     pub fn address(&self, place: &str) -> String {
         let hash = if place.is_empty() { "" } else { "#" };
         format!("http://{}:{}/?key={}{hash}{place}", Ipv4Addr::LOCALHOST, self.port(), self.shared.guard.key)
+    }
+
+    /// Removes what was compiled for students' functions: for the end of a program that does not live to drop this value.
+    pub fn clear(&self) {
+        self.shared.mine.clear();
     }
 
     /// Answers for as long as the program lives.
@@ -187,14 +196,36 @@ impl Server {
 }
 
 impl Shared {
-    /// Computes something on a thread of its own, when it is this one's turn. `None` if too many wait, or it panicked.
+    /// Computes something on a thread of its own, when it is this one's turn.
+    ///
+    /// # Errors
+    /// [`Busy`] if too many wait, or it panicked.
     pub(crate) async fn compute<T: Send + 'static>(
         self: &Arc<Self>,
         work: impl FnOnce(&Self) -> T + Send + 'static,
     ) -> Result<T, Busy> {
+        self.in_turn(&self.work, work).await
+    }
+
+    /// The same for what waits for a student's function.
+    ///
+    /// # Errors
+    /// [`Busy`] if too many wait, or it panicked.
+    pub(crate) async fn ask<T: Send + 'static>(
+        self: &Arc<Self>,
+        work: impl FnOnce(&Self) -> T + Send + 'static,
+    ) -> Result<T, Busy> {
+        self.in_turn(&self.asking, work).await
+    }
+
+    async fn in_turn<T: Send + 'static>(
+        self: &Arc<Self>,
+        turns: &Semaphore,
+        work: impl FnOnce(&Self) -> T + Send + 'static,
+    ) -> Result<T, Busy> {
         let _waiting = self.waiting.try_acquire().map_err(|_| Busy::Full)?;
         // Whoever leaves while waiting takes the request along: it is never computed.
-        let _turn = self.work.acquire().await.map_err(|_| Busy::Full)?;
+        let _turn = turns.acquire().await.map_err(|_| Busy::Full)?;
         let shared = self.clone();
         tokio::task::spawn_blocking(move || work(&shared)).await.map_err(|_| Busy::Panicked)
     }

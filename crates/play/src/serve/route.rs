@@ -52,6 +52,9 @@ pub(crate) async fn answer(shared: Arc<Shared>, request: Request<Incoming>) -> A
 /// Why there is no answer.
 enum Problem {
     Status(StatusCode),
+    /// What was asked for makes no sense here: the page would not ask so.
+    Malformed(Refusal),
+    /// What was asked for cannot be done: an answer like any other, which the page shows in its place.
     Refused(Refusal),
     Busy(Busy),
 }
@@ -65,7 +68,9 @@ impl From<Refusal> for Problem {
 impl Problem {
     fn into_answer(self) -> Answer {
         match self {
-            Self::Refused(refusal) => answer::refused(StatusCode::UNPROCESSABLE_ENTITY, &refusal),
+            Self::Malformed(refusal) => answer::refused(StatusCode::BAD_REQUEST, &refusal),
+            // Of any other status a browser's console would speak as of an error of the page.
+            Self::Refused(refusal) => answer::refused(StatusCode::OK, &refusal),
             Self::Busy(Busy::Full) => answer::refused(
                 StatusCode::SERVICE_UNAVAILABLE,
                 &Refusal::new(
@@ -144,7 +149,9 @@ async fn post(shared: &Arc<Shared>, path: String, request: Request<Incoming>) ->
         "/api/steps" => compute(shared, request, |shared, asked| steps::steps(&shared.stage, &asked)).await,
         "/api/mine" => {
             trusted(shared, &request)?;
-            compute(shared, request, |shared, asked| api::mine::draw(&shared.mine, &asked)).await
+            let asked = body(request).await?;
+            let drawn = shared.ask(move |shared| api::mine::draw(&shared.mine, &asked)).await;
+            Ok(answer::json(&drawn.map_err(Problem::Busy)??))
         }
         "/api/frame" => {
             let asked = body(request).await?;
@@ -187,7 +194,7 @@ async fn body<T: DeserializeOwned>(request: Request<Incoming>) -> Result<T, Prob
     let collected = collected.map_err(|_| Problem::Status(StatusCode::REQUEST_TIMEOUT))?;
     let bytes = collected.map_err(|_| Problem::Status(StatusCode::PAYLOAD_TOO_LARGE))?.to_bytes();
     serde_json::from_slice(&bytes).map_err(|error| {
-        Problem::Refused(Refusal::new(
+        Problem::Malformed(Refusal::new(
             format!("the request is not understood: {error}"),
             format!("het verzoek is niet te begrijpen: {error}"),
         ))
