@@ -380,7 +380,7 @@ fn rays_that_are_no_rays_give_no_nan() {
 
 #[test]
 fn the_nearest_of_all_that_is_met_is_the_nearest_hit() {
-    let inputs = strategy::ray(4.0);
+    let inputs = strategy::ray(1.5);
     let ball = Object::new(Shape::Sphere(Sphere::new(vec3(0.5, 0.0, -1.0), 1.5)), Mat4::IDENTITY, surfaces());
     let floor =
         Object::new(Shape::Plane(Plane::new(vec3(0.0, -1.0, 0.0), Vec3::Y)), Mat4::IDENTITY, surfaces());

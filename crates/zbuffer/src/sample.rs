@@ -107,6 +107,7 @@ mod tests {
         assert_eq!(there.screen_weights, [0.375, 0.375, 0.25]);
         assert_eq!(back.screen_weights, [0.375, 0.25, 0.375]);
         assert_eq!([there.edges[1], there.edges[2]], [back.edges[2], back.edges[1]]);
-        assert_eq!([there.owns, back.owns], [[true, true, false], [true, false, true]].map(|owns| owns));
+        // The left edge runs from c to a; with b and c exchanged it is ab.
+        assert_eq!([there.owns, back.owns], [[false, true, false], [false, false, true]]);
     }
 }
