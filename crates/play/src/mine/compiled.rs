@@ -15,7 +15,10 @@ pub(super) struct Slot(Option<(u64, Opened)>);
 
 /// The functions that were asked last.
 #[derive(Debug, Default)]
-pub(super) struct Shelf(Mutex<Vec<(&'static str, Arc<Mutex<Slot>>)>>);
+pub(super) struct Shelf(Mutex<Vec<Named>>);
+
+/// What was compiled of the exercise of this name.
+type Named = (&'static str, Arc<Mutex<Slot>>);
 
 impl Shelf {
     /// The slot of an exercise. Whoever draws with it locks it: one exercise is drawn by one at a time, different ones at once.

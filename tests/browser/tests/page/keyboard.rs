@@ -36,7 +36,9 @@ fn the_keyboard_alone_goes_through_all_figures() {
             let stem = figure["stem"].as_str().unwrap();
             page.until(
                 stem,
-                &format!("return document.querySelector('[data-figure=\"{}\"] .picture svg, [data-figure=\"{0}\"] .picture img') !== null", stem),
+                &format!(
+                    "return document.querySelector('[data-figure=\"{stem}\"] .picture :is(svg, img)') !== null"
+                ),
             )
             .await;
             assert!(!page.text("[data-test='figure-title']").await.is_empty());
