@@ -92,8 +92,11 @@ export const latest = (work) => {
     }
     running = false;
   };
-  return (value) => {
+  const next = (value) => {
     waiting = [value];
     if (!running) run();
   };
+  /** Whether a newer value waits already. */
+  next.waits = () => waiting !== null;
+  return next;
 };
