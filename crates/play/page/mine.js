@@ -36,6 +36,7 @@ export const mineSwitch = (figure, lecture, first, values, onchange) => {
 
   const take = async (answer) => {
     element.dataset.state = answer.state;
+    element.classList.toggle('differs', answer.differing > 0);
     state.replaceChildren(make('strong', { words: answer.title ?? same(answer.state) }));
     if (answer.differs) state.append(' · ', make('span', { 'data-test': 'mine-differs', words: answer.differs }));
     message.hidden = !answer.message;

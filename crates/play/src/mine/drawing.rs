@@ -113,8 +113,10 @@ fn compared(yours: &[Dots], right: &[Dots], exposure: f32, trouble: Option<Troub
 
 fn in_words(differing: usize, all: usize, missing: usize, greatest: f32) -> Words {
     let steps = (255.0 * greatest).round();
-    let mut words =
-        Words::new(format!("{differing} of {all} pixels"), format!("{differing} van {all} pixels"));
+    let mut words = Words::new(
+        format!("{differing} of {all} pixels differ"),
+        format!("{differing} van {all} pixels verschillen"),
+    );
     if missing > 0 {
         words.en += &format!("; {missing} of them without a number, hatched");
         words.nl += &format!("; {missing} daarvan zonder getal, gearceerd");

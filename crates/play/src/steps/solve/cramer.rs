@@ -4,21 +4,13 @@ use glam::Mat3;
 use raytrace::triangle::{Solution, System, cramer};
 use sheet::Words;
 
-use super::{Step, equations, expanded, short};
+use super::{Step, determinant, equations, expanded, short};
 
 /// det A, then for each unknown the determinant with the right-hand side in its column.
 pub(super) fn tell(system: &System, steps: &mut Vec<Step>) -> Option<Solution> {
     let Mat3 { x_axis: p, y_axis: q, z_axis: d } = system.matrix;
     let (r, solution) = (system.rhs, cramer(system));
-    let words = Words::new(
-        "The determinant of the matrix, along its first row.",
-        "De determinant van de matrix, langs de eerste rij.",
-    );
-    steps.push(Step::new(words).lines(expanded("det A", &system.matrix)).showing(equations(
-        &system.matrix,
-        None,
-        &[(0, 0), (0, 1), (0, 2)],
-    )));
+    steps.push(determinant(system));
     let Solution { beta, gamma, t } = solution?;
     let determinant = system.matrix.determinant();
     let replaced = [

@@ -4,19 +4,11 @@ use glam::Mat3;
 use raytrace::triangle::{Solution, System, inverse};
 use sheet::Words;
 
-use super::{Step, equations, expanded, factor, short};
+use super::{Step, determinant, equations, expanded, factor, short};
 
 /// The determinant, the matrix of cofactors turned over, the inverse, and its product with the right-hand side.
 pub(super) fn tell(system: &System, steps: &mut Vec<Step>) -> Option<Solution> {
-    let words = Words::new(
-        "The determinant of the matrix, along its first row.",
-        "De determinant van de matrix, langs de eerste rij.",
-    );
-    steps.push(Step::new(words).lines(expanded("det A", &system.matrix)).showing(equations(
-        &system.matrix,
-        None,
-        &[(0, 0), (0, 1), (0, 2)],
-    )));
+    steps.push(determinant(system));
     let solution = inverse(system)?;
     steps.push(cofactors(&system.matrix));
 

@@ -188,6 +188,16 @@ fn cofactors_of_first_row(m: &Mat3) -> [f32; 3] {
     rows[1].cross(rows[2]).to_array()
 }
 
+/// Whether there is one solution at all: det A, with which two of the three ways begin.
+fn determinant(system: &System) -> Step {
+    let words = Words::new(
+        "The determinant of the matrix, along its first row.",
+        "De determinant van de matrix, langs de eerste rij.",
+    );
+    let row = [(0, 0), (0, 1), (0, 2)];
+    Step::new(words).lines(expanded("det A", &system.matrix)).showing(equations(&system.matrix, None, &row))
+}
+
 /// The determinant, expanded along its first row.
 fn expanded(name: &str, m: &Mat3) -> Vec<Words> {
     let ([a, b, c], [p, q, r]) = (m.row(0).to_array(), cofactors_of_first_row(m));
