@@ -48,8 +48,8 @@ pub(super) fn of_a_call(exercise: &Exercise, knobs: &Knobs<'_>, yours: &mut dyn 
     let picture = exercise.picture(&questions[shown], given(shown), yours);
     let label = Words::new("yours beside the right one", "van jou naast de goede");
     let differs = Words::new(
-        format!("{} of {worked} worked examples", wrong.len()),
-        format!("{} van {worked} uitgewerkte voorbeelden", wrong.len()),
+        format!("{} of {worked} worked examples differ", wrong.len()),
+        format!("{} van {worked} uitgewerkte voorbeelden verschillen", wrong.len()),
     );
     let alt = Words::new(
         format!("One call of {}, yours and right; wrong: {}.", exercise.name, differs.en),
