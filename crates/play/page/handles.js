@@ -17,7 +17,7 @@ export const handleLayer = (onmove, valueOf) => {
 
   const ring = (at) => {
     const element = make('div', { class: 'handle', role: 'slider', tabindex: 0, 'data-handle': at, 'data-test': 'handle' });
-    const state = { element, x: 0, y: 0, aim: null, offset: null, text: '' };
+    const state = { element, x: 0, y: 0, aim: null, key: null, offset: null, text: '' };
     element.addEventListener('pointerdown', (event) => {
       if (event.button !== 0) return;
       event.preventDefault();
@@ -50,6 +50,9 @@ export const handleLayer = (onmove, valueOf) => {
       if ((!dx && !dy) || event.ctrlKey || event.metaKey || event.altKey) return;
       event.preventDefault();
       const step = STEP * (event.shiftKey ? 10 : 1);
+      // Turning back begins where the handle is, not where the keys have led beyond its end.
+      if (event.key !== state.key) state.aim = null;
+      state.key = event.key;
       // What did not move the handle adds up, so that whole numbers and circles are left behind at last.
       state.aim = [within((state.aim?.[0] ?? state.x) + dx * step), within((state.aim?.[1] ?? state.y) + dy * step)];
       onmove(at, state.aim, true);

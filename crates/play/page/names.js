@@ -36,6 +36,12 @@ const NAMES = {
   'ice-without-shadow': ['ice, without a shadow', 'ijs, zonder schaduw'],
   'noon-with-shadow': ['noon, with its shadow', 'middag, met schaduw'],
   'noon-without-shadow': ['noon, without a shadow', 'middag, zonder schaduw'],
+  vectors: ['vectors', 'vectoren'],
+  ball: ['ball', 'bol'],
+  'lamp-alone': ['the lamp alone', 'alleen de lamp'],
+  'without-max': ['without max', 'zonder max'],
+  'with-max': ['with max', 'met max'],
+  'from-outside': ['from outside', 'van buiten gezien'],
   yours: ['yours', 'de jouwe'],
   right: ['right', 'juist'],
 };

@@ -151,6 +151,8 @@ export const steps = (place, context) => {
     at = 0;
     change(next);
     controls.replaceChildren(...choices());
+    // The list that was chosen from was replaced too.
+    controls.querySelector('select').focus();
   };
 
   /** What can be chosen for this kind of steps. */
