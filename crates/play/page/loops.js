@@ -197,6 +197,7 @@ export const loops = (place, context) => {
   const { lecture, values } = context;
   const look = lookFrom(values, lecture);
   const [i, j] = [finite(values, 'i', null, 0, look.width - 1), finite(values, 'j', null, 0, look.height - 1)];
+  let { width, height } = look;
   let pixel = i === null || j === null ? null : [Math.round(i), Math.round(j)];
 
   const keep = () => context.keep({ ...lookValues(three.look), alone: three.alone, ...(pixel && { i: pixel[0], j: pixel[1] }) }, pixel ? 'story' : 'loops');
@@ -206,10 +207,13 @@ export const loops = (place, context) => {
     look,
     alone,
     onlook: (next, settled) => {
+      // The same place in a picture of another size.
+      if (pixel && (next.width !== width || next.height !== height)) {
+        pixel = [Math.floor(((pixel[0] + 0.5) * next.width) / width), Math.floor(((pixel[1] + 0.5) * next.height) / height)];
+      }
+      ({ width, height } = next);
       keep();
-      // A pixel that a smaller picture does not have is no longer asked for.
-      if (pixel && (pixel[0] >= next.width || pixel[1] >= next.height)) choose(null);
-      else if (pixel && settled) tell(false);
+      if (pixel && settled) tell(false);
     },
     onchoose: (chosen) => choose(chosen),
     onshown: () => story.refresh(),
@@ -237,7 +241,7 @@ export const loops = (place, context) => {
     story.element);
   if (pixel) tell(false);
   return {
-    title: pixel ? T.story : T.loops,
+    get title() { return pixel ? join([T.story, same(`(${pixel.join(', ')})`)], ' ') : T.loops; },
     keys: { r: reset },
     leave: () => {
       three.leave();

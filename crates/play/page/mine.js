@@ -4,7 +4,7 @@ import { check, choice, make, trouble } from './dom.js';
 import { drawingGrid } from './drawings.js';
 import { ask, busy, latest, reason } from './net.js';
 import { isOn } from './show.js';
-import { T, same, say } from './words.js';
+import { T, join, same, say } from './words.js';
 
 /** So often it is asked whether the file was saved, in milliseconds. */
 const PAUSE = 500;
@@ -27,12 +27,13 @@ export const mineSwitch = (figure, lecture, first, values, onchange) => {
   const wrong = trouble();
   const state = make('p', { class: 'state', role: 'status', 'data-test': 'mine-state' });
   const message = make('p', { class: 'message' });
+  const unmoved = make('p', { class: 'hint', 'data-test': 'mine-unmoved' });
   const file = make('p', { class: 'file' });
   const detail = make('pre', { tabindex: 0 });
   const compiler = make('details', { open: true }, make('summary', { words: T.compiler }), detail);
   const grid = drawingGrid({ test: 'mine-drawings', room: () => (window.innerWidth < 640 ? Infinity : window.innerHeight * (isOn() ? 0.5 : 0.8)) });
   const element = make('section', { class: 'mine', label: T.mineLead },
-    make('h2', { words: T.mine }), state, message, grid.element, compiler, file, wrong.element);
+    make('h2', { words: T.mine }), state, message, grid.element, unmoved, compiler, file, wrong.element);
 
   const take = async (answer) => {
     element.dataset.state = answer.state;
@@ -41,6 +42,9 @@ export const mineSwitch = (figure, lecture, first, values, onchange) => {
     if (answer.differs) state.append(' · ', make('span', { 'data-test': 'mine-differs', words: answer.differs }));
     message.hidden = !answer.message;
     if (answer.message) say(message, answer.message);
+    const still = figure.parameters.filter((p) => !(answer.moved_by ?? []).includes(p.name));
+    unmoved.hidden = answer.state !== 'drawn' || still.length === 0;
+    say(unmoved, join([T.unmoved, join(still.map((p) => p.label), ', ')], ' '));
     compiler.hidden = !answer.detail;
     detail.textContent = answer.detail ?? '';
     file.hidden = !answer.file;

@@ -136,7 +136,11 @@ export const steps = (place, context) => {
       if (answer.title) say(title, answer.title);
       await paint();
     } catch (error) {
+      answer = null;
+      say(words, same(''));
+      stage.replaceChildren();
       wrong.show(reason(error));
+      await paint();
     } finally {
       done();
     }

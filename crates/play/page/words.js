@@ -156,6 +156,7 @@ const TEXTS = {
     'Open het adres dat de opdracht bij het starten gaf om je eigen code te draaien.',
   ],
   compiler: ['What the compiler said', 'Wat de compiler zei'],
+  unmoved: ['A picture of the exercise; not moved by:', 'Een beeld van de opgave; niet bewogen door:'],
   redraws: ['Redraws whenever you save', 'Tekent opnieuw zodra je bewaart'],
   // Claims.
   claimsTitle: ['Claims on trial', 'Beweringen op de proef gesteld'],

@@ -105,7 +105,13 @@ fn mine() -> Mine {
         Ok(bench) => {
             let exercises = bench.exercises.clone();
             let words = |failure: Failure| format!("{}: {}", failure.problem, failure.remedy);
-            Mine::new(exercises, Box::new(move || bench.judge(None).map_err(words)))
+            let scratch = SCRATCH.get_or_init(|| bench.scratch.join(format!("play-{}", std::process::id())));
+            let judge = move || {
+                let mut judge = bench.judge(None).map_err(words)?;
+                judge.scratch.clone_from(scratch);
+                Ok(judge)
+            };
+            Mine::new(exercises, Box::new(judge))
         }
         Err(failure) => Mine::new(PathBuf::new(), Box::new(move || Err(failure.problem.clone()))),
     }
@@ -114,10 +120,17 @@ fn mine() -> Mine {
 /// The server that runs, for the one who ends it.
 static SERVER: OnceLock<Server> = OnceLock::new();
 
+/// Where this server's programs of students' functions lie.
+static SCRATCH: OnceLock<PathBuf> = OnceLock::new();
+
 /// Leaves nothing behind that was compiled.
 pub(crate) fn abandon() {
     if let Some(server) = SERVER.get() {
         server.clear();
+    }
+    if let Some(scratch) = SCRATCH.get() {
+        // Of a function that is being asked just now the program is still there.
+        let _ = std::fs::remove_dir_all(scratch);
     }
 }
 

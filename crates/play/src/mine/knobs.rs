@@ -1,27 +1,34 @@
 //! Where do the figure's parameters stand? Those that a drawing understands move it; it has a value of its own for the others.
 
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+
 use figures::{Figure, Values};
 use glam::Vec3;
 
 /// A figure and the values of its parameters.
-#[derive(Clone, Copy)]
 pub(super) struct Knobs<'a> {
     pub(super) figure: &'a Figure,
     values: &'a Values,
+    /// The parameters that were asked for.
+    read: RefCell<BTreeSet<&'static str>>,
 }
 
 impl<'a> Knobs<'a> {
     pub(super) fn new(figure: &'a Figure, values: &'a Values) -> Self {
-        Self { figure, values }
+        Self { figure, values, read: RefCell::default() }
     }
 
     /// The value of a parameter, if the figure has it.
     pub(super) fn get(&self, name: &str) -> Option<f32> {
-        self.figure
-            .parameters
-            .iter()
-            .any(|parameter| parameter.name == name)
-            .then(|| self.values.number(name))
+        let parameter = self.figure.parameters.iter().find(|parameter| parameter.name == name)?;
+        self.read.borrow_mut().insert(parameter.name);
+        Some(self.values.number(name))
+    }
+
+    /// The figure's parameters that the drawing understands, as far as it has been drawn.
+    pub(super) fn read(&self) -> Vec<&'static str> {
+        self.read.borrow().iter().copied().collect()
     }
 
     /// The value of a parameter, or this one.

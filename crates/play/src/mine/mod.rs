@@ -85,7 +85,10 @@ impl Mine {
     /// One exercise is drawn by one thread at a time, different ones at once: whoever calls does so where waiting stops nobody else.
     pub fn draw(&self, figure: &Figure, values: &Values, exercise: &'static Exercise) -> Json {
         let knobs = Knobs::new(figure, values);
-        self.answer(exercise, self.drawn(&knobs, exercise))
+        let drawn = self.drawn(&knobs, exercise);
+        let mut answer = self.answer(exercise, drawn);
+        answer["moved_by"] = knobs.read().into();
+        answer
     }
 
     /// Forgets what was compiled, and removes it. For the end of a server that does not live to drop this value.

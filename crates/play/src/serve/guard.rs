@@ -2,7 +2,8 @@
 //!
 //! The loopback address keeps other machines out, but not other pages in the same browser: a page of somebody else may send requests here, and
 //! by a name that it lets point to 127.0.0.1 it may even read the answers (DNS rebinding). So the request must say that it means this
-//! host, and that it comes from nowhere else. What runs the student's code needs the key besides, which other users of the machine do not have.
+//! host, and that it comes from nowhere else. What runs the student's code needs the key besides. It is printed, and handed to the browser that is opened; on systems where users see each other's command lines,
+//! `--no-open` keeps it out of them.
 
 use std::fmt;
 
@@ -47,7 +48,9 @@ pub(crate) struct Guard {
 
 impl Guard {
     /// Whether the request means this server and comes from its page, or from an address typed by hand.
-    pub(crate) fn admits(&self, headers: &HeaderMap) -> bool {
+    ///
+    /// - `is_page`: it asks for the page alone, which says nothing that is secret: then a link on any other page may lead here.
+    pub(crate) fn admits(&self, headers: &HeaderMap, is_page: bool) -> bool {
         let hosts: Vec<&str> = texts(headers, HOST.as_str());
         let is_ours = |host: &str| {
             host.rsplit_once(':')
@@ -60,7 +63,10 @@ impl Guard {
         // Browsers say where a request begins even where they send no origin; an address that was typed begins nowhere.
         let begins_here =
             texts(headers, "sec-fetch-site").iter().all(|site| matches!(*site, "same-origin" | "none"));
-        means_us && comes_from_us && begins_here
+        let follows_a_link = is_page
+            && texts(headers, "sec-fetch-mode") == ["navigate"]
+            && texts(headers, "sec-fetch-dest") == ["document"];
+        means_us && comes_from_us && (begins_here || follows_a_link)
     }
 
     /// Whether the browser has shown the key.
@@ -108,13 +114,12 @@ mod tests {
     #[test]
     fn the_page_itself_is_admitted_and_so_is_an_address_typed_by_hand() {
         for host in ["127.0.0.1:4000", "localhost:4000"] {
-            assert!(guard().admits(&headers(&[("host", host)])));
+            assert!(guard().admits(&headers(&[("host", host)]), false));
             let origin = format!("http://{host}");
-            assert!(guard().admits(&headers(&[
-                ("host", host),
-                ("origin", &origin),
-                ("sec-fetch-site", "same-origin")
-            ])));
+            assert!(guard().admits(
+                &headers(&[("host", host), ("origin", &origin), ("sec-fetch-site", "same-origin")]),
+                false
+            ));
         }
     }
 
@@ -128,12 +133,12 @@ mod tests {
             "[::1]:4000",
             "",
         ] {
-            assert!(!guard().admits(&headers(&[("host", host)])), "{host}");
+            assert!(!guard().admits(&headers(&[("host", host)]), false), "{host}");
         }
-        assert!(!guard().admits(&HeaderMap::new()));
+        assert!(!guard().admits(&HeaderMap::new(), true));
         let mut twice = headers(&[("host", "127.0.0.1:4000")]);
         twice.append(HOST, HeaderValue::from_static("127.0.0.1:4000"));
-        assert!(!guard().admits(&twice));
+        assert!(!guard().admits(&twice, true));
     }
 
     #[test]
@@ -147,10 +152,24 @@ mod tests {
             ("sec-fetch-site", "same-site"),
         ] {
             assert!(
-                !guard().admits(&headers(&[("host", "127.0.0.1:4000"), (name, value)])),
+                !guard().admits(&headers(&[("host", "127.0.0.1:4000"), (name, value)]), false),
                 "{name}: {value}"
             );
         }
+    }
+
+    #[test]
+    fn a_link_on_another_page_leads_to_the_page_and_to_nothing_else() {
+        let link = [
+            ("host", "127.0.0.1:4000"),
+            ("sec-fetch-site", "cross-site"),
+            ("sec-fetch-mode", "navigate"),
+            ("sec-fetch-dest", "document"),
+        ];
+        assert!(guard().admits(&headers(&link), true));
+        assert!(!guard().admits(&headers(&link), false));
+        let framed = [link[0], link[1], link[2], ("sec-fetch-dest", "iframe")];
+        assert!(!guard().admits(&headers(&framed), true));
     }
 
     #[test]

@@ -29,7 +29,9 @@ pub const FIRST_PORT: u16 = 47529;
 const MORE_PORTS: u16 = 100;
 
 /// A request's head may not take longer to arrive; an idle connection is closed after it.
-const PATIENCE: Duration = Duration::from_secs(30);
+const PATIENCE: Duration = Duration::from_secs(15);
+/// After so long a connection is closed, whatever it does: a page opens another.
+const LONGEST_CONNECTION: Duration = Duration::from_secs(600);
 /// A request's head may not be longer, in bytes.
 const LONGEST_HEAD: usize = 32 << 10;
 /// So many connections at once: more than any browser opens for twenty tabs.
@@ -182,13 +184,13 @@ impl Server {
                     let shared = shared.clone();
                     async move { Ok::<_, std::convert::Infallible>(route::answer(shared, request).await) }
                 });
-                // A torn request or a closed tab ends its own connection, and nothing else.
-                let _ = http1::Builder::new()
+                let connection = http1::Builder::new()
                     .timer(TokioTimer::new())
                     .header_read_timeout(PATIENCE)
                     .max_buf_size(LONGEST_HEAD)
-                    .serve_connection(TokioIo::new(stream), service)
-                    .await;
+                    .serve_connection(TokioIo::new(stream), service);
+                // A torn request or a closed tab ends its own connection, and nothing else; one that takes no answers ends some time.
+                let _ = tokio::time::timeout(LONGEST_CONNECTION, connection).await;
                 drop(room);
             });
         }

@@ -22,7 +22,8 @@ const PATIENCE: Duration = Duration::from_secs(10);
 
 /// The answer to any request.
 pub(crate) async fn answer(shared: Arc<Shared>, request: Request<Incoming>) -> Answer {
-    if !shared.guard.admits(request.headers()) {
+    let is_page = request.method() == Method::GET && request.uri().path() == "/";
+    if !shared.guard.admits(request.headers(), is_page) {
         return answer::refused(
             StatusCode::FORBIDDEN,
             &Refusal::new(
@@ -159,7 +160,12 @@ async fn post(shared: &Arc<Shared>, path: String, request: Request<Incoming>) ->
             Ok(frame.map_err(Problem::Busy)??.into_answer())
         }
         "/api/measured" => {
+            trusted(shared, &request)?;
             let measured: Measured = body(request).await?;
+            // What is printed comes from a list of ours.
+            if scene::builtin::find(&measured.scene).is_none() {
+                return Err(Problem::Status(StatusCode::BAD_REQUEST));
+            }
             // Without anybody who waits for it, it is the page's own.
             let _ = shared.measured.try_send(measured);
             Ok(answer::json(&Json::Null))

@@ -62,11 +62,11 @@ fn operated(operation: RowOperation, rows: &[[f32; 4]; 3]) -> Step {
             let pivot = short(rows[column][column]);
             let words = Words::new(
                 format!(
-                    "Column {}: the largest number from here down, {pivot}, stands in place: the pivot.",
+                    "Column {}: the number largest in absolute value from here down, {pivot}, stands in place: the pivot.",
                     column + 1
                 ),
                 format!(
-                    "Kolom {}: het grootste getal vanaf hier omlaag, {pivot}, staat op zijn plaats: de spil.",
+                    "Kolom {}: het in absolute waarde grootste getal vanaf hier omlaag, {pivot}, staat op zijn plaats: de spil.",
                     column + 1
                 ),
             );
@@ -76,10 +76,10 @@ fn operated(operation: RowOperation, rows: &[[f32; 4]; 3]) -> Step {
             let (pivot, a, b) = (short(rows[column][column]), column + 1, with + 1);
             let words = Words::new(
                 format!(
-                    "Column {a}: rows {a} and {b} change places, so that the largest, {pivot}, is the pivot."
+                    "Column {a}: rows {a} and {b} change places, so that {pivot}, no other being larger in absolute value, is the pivot."
                 ),
                 format!(
-                    "Kolom {a}: rij {a} en {b} wisselen van plaats, zodat het grootste, {pivot}, de spil is."
+                    "Kolom {a}: rij {a} en {b} wisselen van plaats, zodat {pivot}, in absolute waarde door geen ander overtroffen, de spil is."
                 ),
             );
             Step::new(words).showing(shown(rows, whole(column).chain(whole(with)).collect()))

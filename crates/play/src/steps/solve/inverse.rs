@@ -4,7 +4,7 @@ use glam::Mat3;
 use raytrace::triangle::{Solution, System, inverse};
 use sheet::Words;
 
-use super::{Step, determinant, equations, expanded, factor, short};
+use super::{Step, determinant, equations, factor, short};
 
 /// The determinant, the matrix of cofactors turned over, the inverse, and its product with the right-hand side.
 pub(super) fn tell(system: &System, steps: &mut Vec<Step>) -> Option<Solution> {
