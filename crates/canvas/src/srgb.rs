@@ -199,7 +199,8 @@ mod tests {
     #[test]
     fn looked_up_steps_change_where_computed_steps_do() {
         let steps = EightBitSteps::new();
-        for least in steps.least {
+        // The last one is beyond all light.
+        for least in steps.least.into_iter().take(255) {
             let (here, below) = (to_u8(least), to_u8(least.next_down()));
             assert_eq!(here, below + 1, "at {least}");
             assert_eq!((steps.nearest(least), steps.nearest(least.next_down())), (here, below));
