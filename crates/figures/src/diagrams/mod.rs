@@ -8,6 +8,7 @@ mod octagon;
 mod phong_highlight;
 mod pixel_grid;
 mod plane;
+mod rotation;
 mod shadow_rays;
 mod slice;
 mod viewing_ray;
@@ -21,6 +22,7 @@ pub(crate) static ALL: &[&Figure] = &[
     &camera_frame::FIGURE,
     &viewing_volume::FIGURE,
     &pixel_grid::FIGURE,
+    &rotation::FIGURE,
     &lambert::FIGURE,
     &facing_away::FIGURE,
     &phong_highlight::FIGURE,

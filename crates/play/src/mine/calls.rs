@@ -1,7 +1,7 @@
 //! How is a function drawn whose answer is no colour and no point: a matrix, say? As the exercise draws one call.
 
 use course::{Answerer, Exercise, InProcess, Reply, Value, values};
-use glam::{Vec3, vec3};
+use glam::{Vec3, vec2, vec3};
 use serde_json::json;
 use sheet::Words;
 use vocabulary::ViewVolume;
@@ -69,6 +69,10 @@ fn call(exercise: &Exercise, knobs: &Knobs<'_>) -> Option<Vec<Value>> {
     };
     let pixels = || Some((knobs.get("n_x")? as u32, knobs.get("n_y")? as u32));
     match exercise.name {
+        "rotate_about_point" => {
+            let pivot = vec2(knobs.get("p_x")?, knobs.get("p_y")?);
+            Some(arguments![knobs.get("theta")?.to_radians(), pivot])
+        }
         "perspective" => Some(arguments![near?, far?]),
         "canonical_from_camera" => Some(arguments![volume()?]),
         "screen_from_canonical" => pixels().map(|(width, height)| arguments![width, height]),

@@ -23,6 +23,7 @@ const TABLE: &[(&str, &[&str])] = &[
         ],
     ),
     ("pixel-grid", &["window_from_pixel", "screen_from_canonical"]),
+    ("rotation-about-a-point", &["rotate_about_point"]),
     ("cycle", &["painters_order"]),
     ("two-spheres", &["painters_order", "zbuffer"]),
     ("depth-grids", &["zbuffer", "rasterize"]),
