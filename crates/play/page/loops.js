@@ -89,18 +89,11 @@ export const threeScreens = ({ look: first, alone: firstAlone, onlook, onchoose,
   const screens = Object.fromEntries(LOOPS.map((name) => [name, screen(name, on)]));
   const element = make('div', { class: 'screens' }, LOOPS.map((name) => screens[name].element));
 
-  const newest = {};
-  let turn = 0;
-  const simple = (name, after) => latest(async (its, free) => {
+  const simple = (name, after) => latest(async (its) => {
     const done = busy();
     const asked = stamp;
-    turn += 1;
-    const mine = turn;
     try {
-      // The next is drawn while this one travels.
-      const answer = await frame({ look: its, renderer: name, scale: 1, rows: null, samples: 1 }, undefined, free);
-      if (mine < (newest[name] ?? 0)) return; // Overtaken.
-      newest[name] = mine;
+      const answer = await frame({ look: its, renderer: name, scale: 1, rows: null, samples: 1 });
       // Of a size that is no longer wanted: the next one is on its way.
       if (its.width === look.width && its.height === look.height) screens[name].shown.put(answer, 1, its);
       screens[name].wrong.show(null);

@@ -59,11 +59,30 @@ const send = async (path, body, signal) => {
 /** The answer to a question: without a body it is only looked up. */
 export const ask = async (path, body, signal) => (await send(path, body, signal)).said;
 
+/** The highest bit of a number says that one pixel stands for so many equal ones; without it so many different ones follow. */
+const EQUAL = 0x80000000;
+
+const unpacked = (buffer, length) => {
+  const words = new Uint32Array(buffer);
+  const pixels = new Uint32Array(length);
+  let to = 0;
+  for (let at = 0; at < words.length;) {
+    const count = words[at] & 0x7fffffff;
+    if (words[at] >= EQUAL) {
+      pixels.fill(words[at + 1], to, to + count);
+      at += 2;
+    } else {
+      pixels.set(words.subarray(at + 1, at + 1 + count), to);
+      at += 1 + count;
+    }
+    to += count;
+  }
+  return new Uint8ClampedArray(pixels.buffer);
+};
+
 /** A picture of a look, or rows of it: `{width, height, row, notes, micros, data}`. */
-export const frame = async (question, signal, ondrawn = () => {}) => {
+export const frame = async (question, signal) => {
   const { answer } = await send('/api/frame', question, signal);
-  // The picture is drawn, and on its way.
-  ondrawn();
   const header = (name) => Number(answer.headers.get(name) ?? 0);
   const notes = answer.headers.get('X-Notes');
   return {
@@ -72,14 +91,11 @@ export const frame = async (question, signal, ondrawn = () => {}) => {
     row: header('X-Row'),
     micros: header('X-Micros'),
     notes: notes ? JSON.parse(decodeURIComponent(notes)) : [],
-    data: new Uint8ClampedArray(await answer.arrayBuffer()),
+    data: unpacked(await answer.arrayBuffer(), header('X-Width') * header('X-Height')),
   };
 };
 
-/**
- * A function that does `work` with the latest value it was given, and with none that is out of date. The next begins when the one before
- * is done, or says that it can: `work(value, free)`.
- */
+/** A function that does `work` with the latest value it was given: never two at once, and none that is out of date. */
 export const latest = (work) => {
   let running = false;
   let waiting = null;
@@ -88,7 +104,7 @@ export const latest = (work) => {
     while (waiting) {
       const [value] = waiting;
       waiting = null;
-      await new Promise((free) => { work(value, free).finally(free); });
+      await work(value);
     }
     running = false;
   };

@@ -47,7 +47,8 @@ pub(crate) struct Frame {
     width: u32,
     height: u32,
     row: u32,
-    rgba: Vec<u8>,
+    /// As [`packed`] gives them.
+    pixels: Vec<u8>,
     notes: Vec<String>,
     micros: u128,
 }
@@ -89,37 +90,67 @@ pub(crate) fn draw(stage: &Stage, asked: &Asked) -> Result<Frame, Refusal> {
         }
     };
     let Some(image) = image else { return Err(Refusal::new("no rows", "geen rijen")) };
-    let (rgba, height) = (encoded(image.pixels()), image.height());
-    Ok(Frame { width, height, row, rgba, notes, micros: begun.elapsed().as_micros() })
+    let (pixels, height) = (packed(image.pixels()), image.height());
+    Ok(Frame { width, height, row, pixels, notes, micros: begun.elapsed().as_micros() })
 }
 
 /// So many pixels are encoded by one thread at a time.
-const STRETCH: usize = 1 << 14;
+const STRETCH: usize = 1 << 13;
+/// From so many equal pixels on they are sent as one and their number.
+const RUN: usize = 4;
+/// Marks the number of pixels that are equal.
+const EQUAL: u32 = 1 << 31;
 
-/// Light as steps of a file, opaque.
-fn encoded(pixels: &[Rgb]) -> Vec<u8> {
+/// Light as steps of a file, opaque, in words of four bytes: a number and so many pixels, or a number with its highest bit set and the one
+/// pixel that stands for all of them. Background and flat faces take next to nothing, and most of a picture's time between
+/// two processes is its length.
+fn packed(pixels: &[Rgb]) -> Vec<u8> {
+    let stretches: Vec<Vec<u8>> = pixels.par_chunks(STRETCH).map(stretch).collect();
+    stretches.concat()
+}
+
+fn stretch(pixels: &[Rgb]) -> Vec<u8> {
     static STEPS: LazyLock<EightBitSteps> = LazyLock::new(EightBitSteps::new);
     let steps = &*STEPS;
-    let mut rgba = vec![0; 4 * pixels.len()];
-    rgba.par_chunks_mut(4 * STRETCH).zip(pixels.par_chunks(STRETCH)).for_each(|(bytes, pixels)| {
-        let encode = |light: Rgb| [light.x, light.y, light.z].map(|light| steps.nearest(light));
-        let mut last = (Rgb::ZERO, encode(Rgb::ZERO));
-        for (bytes, light) in bytes.chunks_exact_mut(4).zip(pixels) {
-            // Background and flat faces: a pixel is often the one before it.
-            if *light != last.0 {
-                last = (*light, encode(*light));
-            }
-            let [r, g, b] = last.1;
-            bytes.copy_from_slice(&[r, g, b, u8::MAX]);
+    let encode = |light: Rgb| {
+        let [r, g, b] = [light.x, light.y, light.z].map(|light| steps.nearest(light));
+        u32::from_le_bytes([r, g, b, u8::MAX])
+    };
+    let mut last = (Rgb::ZERO, encode(Rgb::ZERO));
+    let words = pixels.iter().map(|light| {
+        // A pixel is often the one before it.
+        if *light != last.0 {
+            last = (*light, encode(*light));
         }
+        last.1
     });
-    rgba
+    let words: Vec<u32> = words.collect();
+    let mut bytes = Vec::with_capacity(4 * words.len());
+    let send = |bytes: &mut Vec<u8>, word: u32| bytes.extend_from_slice(&word.to_le_bytes());
+    let mut different: Option<usize> = None;
+    for equal in words.chunk_by(|a, b| a == b) {
+        if equal.len() >= RUN {
+            different = None;
+            send(&mut bytes, EQUAL | equal.len() as u32);
+            send(&mut bytes, equal[0]);
+            continue;
+        }
+        // Their number stands before them and grows.
+        let at = *different.get_or_insert_with(|| {
+            send(&mut bytes, 0);
+            bytes.len() - 4
+        });
+        equal.iter().for_each(|word| send(&mut bytes, *word));
+        let count = ((bytes.len() - at) / 4 - 1) as u32;
+        bytes[at..at + 4].copy_from_slice(&count.to_le_bytes());
+    }
+    bytes
 }
 
 impl Frame {
     /// Its numbers in the head, its pixels in the body.
     pub(crate) fn into_answer(self) -> Answer {
-        let mut answer = answer::bytes(StatusCode::OK, "application/octet-stream", self.rgba);
+        let mut answer = answer::bytes(StatusCode::OK, "application/octet-stream", self.pixels);
         let notes = escaped(&Json::from(self.notes).to_string());
         for (name, value) in [
             ("x-width", self.width.to_string()),
@@ -142,4 +173,51 @@ fn escaped(text: &str) -> String {
         if byte.is_ascii_alphanumeric() { char::from(byte).to_string() } else { format!("%{byte:02X}") }
     };
     text.bytes().map(sign).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use canvas::srgb::to_u8;
+
+    use super::*;
+
+    /// What the page makes of it.
+    fn unpacked(bytes: &[u8]) -> Vec<u32> {
+        let words: Vec<u32> =
+            bytes.chunks_exact(4).map(|word| u32::from_le_bytes(word.try_into().unwrap())).collect();
+        let mut pixels = Vec::new();
+        let mut at = 0;
+        while at < words.len() {
+            let count = (words[at] & !EQUAL) as usize;
+            if words[at] & EQUAL == 0 {
+                pixels.extend_from_slice(&words[at + 1..at + 1 + count]);
+                at += 1 + count;
+            } else {
+                pixels.extend(std::iter::repeat_n(words[at + 1], count));
+                at += 2;
+            }
+        }
+        pixels
+    }
+
+    #[test]
+    fn what_was_packed_comes_out_again() {
+        let light = |k: usize| match k {
+            // Flat, alternating, rising, and flat across the end of a stretch.
+            0..100 => Rgb::splat(0.2),
+            100..200 => Rgb::splat(if k % 2 == 0 { 0.1 } else { 0.9 }),
+            200..300 => Rgb::new(k as f32 / 300.0, 0.5, 0.1),
+            _ => Rgb::new(2.0, f32::NAN, -1.0),
+        };
+        for length in [0, 1, 3, 4, 5, 150, 250, STRETCH - 1, STRETCH, STRETCH + 1, 3 * STRETCH + 7] {
+            let pixels: Vec<Rgb> = (0..length).map(light).collect();
+            let wanted: Vec<u32> = pixels
+                .iter()
+                .map(|p| u32::from_le_bytes([to_u8(p.x), to_u8(p.y), to_u8(p.z), 255]))
+                .collect();
+            assert_eq!(unpacked(&packed(&pixels)), wanted, "{length} pixels");
+        }
+        let background = vec![Rgb::splat(0.3); 640 * 480];
+        assert!(packed(&background).len() < 1000);
+    }
 }

@@ -42,6 +42,8 @@ fn the_keyboard_alone_goes_through_all_figures() {
             )
             .await;
             assert!(!page.text("[data-test='figure-title']").await.is_empty());
+            let trouble = page.run("return [...document.querySelectorAll('.trouble')].filter((e) => e.checkVisibility()).map((e) => e.textContent).join()", Vec::new()).await;
+            assert_eq!(trouble, "", "{stem}");
             seen.insert(stem);
             page.keys(RIGHT).await;
             page.settled().await;
