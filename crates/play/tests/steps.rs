@@ -196,23 +196,3 @@ fn balls_and_the_background_have_no_system() {
         assert!(refused.0.en.contains(reason), "{refused}");
     }
 }
-
-/// `cargo test -p play --test steps -- --ignored` writes the steps, to be looked at.
-#[test]
-#[ignore = "writes files for the eye"]
-fn steps_for_the_eye() {
-    let folder = std::env::temp_dir().join("steps");
-    std::fs::create_dir_all(&folder).unwrap();
-    let look = json!({ "scene": "teapot", "width": 640, "height": 480 });
-    for (name, asked) in [
-        ("depth", json!({ "kind": "depth" })),
-        ("painter", json!({ "kind": "painter", "look": look })),
-        ("cycle", json!({ "kind": "painter", "look": { "scene": "cycle", "width": 480, "height": 480 } })),
-        ("cramer", json!({ "kind": "solve", "how": "cramer" })),
-        ("inverse", json!({ "kind": "solve", "how": "inverse" })),
-        ("elimination", json!({ "kind": "solve", "how": "elimination", "look": look, "pixel": [330, 260] })),
-    ] {
-        let text = serde_json::to_string_pretty(&told(asked)).unwrap();
-        std::fs::write(folder.join(format!("{name}.json")), text).unwrap();
-    }
-}

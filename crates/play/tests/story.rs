@@ -235,38 +235,3 @@ fn a_pixel_outside_the_picture_is_refused() {
     let refused = story(&Stage::default(), &look("cycle", "flat", "phong"), (WIDTH, 0)).unwrap_err();
     assert!(refused.0.en.contains("outside") && refused.0.nl.contains("buiten"), "{refused}");
 }
-
-/// `cargo test -p play --release --test story -- --ignored --nocapture` writes the drawings of a few pixels, to be looked at.
-#[test]
-#[ignore = "writes files for the eye"]
-fn drawings_for_the_eye() {
-    let folder = std::env::temp_dir().join("stories");
-    std::fs::create_dir_all(&folder).unwrap();
-    let stage = Stage::default();
-    let pixels = [
-        ("teapot", (330, 260)),
-        ("teapot", (180, 120)),
-        ("glass-and-mirror", (420, 190)),
-        ("floating-bin", (250, 120)),
-        ("cornell-box", (200, 150)),
-        ("cycle", (300, 200)),
-        ("two-spheres", (250, 200)),
-        ("exponent-strip", (100, 200)),
-        ("teapot", (20, 460)),
-    ];
-    for (k, (scene, pixel)) in pixels.into_iter().enumerate() {
-        let look = Look { scene: scene.to_owned(), ..Look::default() };
-        story(&stage, &look, pixel).unwrap();
-        let before = std::time::Instant::now();
-        let told = story(&stage, &look, pixel).unwrap();
-        println!(
-            "{scene} {pixel:?}: {:?}, {} bytes, {}",
-            before.elapsed(),
-            told.to_string().len(),
-            told["agree"]
-        );
-        std::fs::write(folder.join(format!("{k}.svg")), told["outside"]["svg"].as_str().unwrap()).unwrap();
-        std::fs::write(folder.join(format!("{k}.json")), serde_json::to_string_pretty(&told).unwrap())
-            .unwrap();
-    }
-}

@@ -205,7 +205,7 @@ mod tests {
         let light = |k: usize| match k {
             // Flat, alternating, rising, and flat across the end of a stretch.
             0..100 => Rgb::splat(0.2),
-            100..200 => Rgb::splat(if k % 2 == 0 { 0.1 } else { 0.9 }),
+            100..200 => Rgb::splat(if k.is_multiple_of(2) { 0.1 } else { 0.9 }),
             200..300 => Rgb::new(k as f32 / 300.0, 0.5, 0.1),
             _ => Rgb::new(2.0, f32::NAN, -1.0),
         };
