@@ -122,7 +122,7 @@ impl EightBitSteps {
     pub fn nearest(&self, linear: f32) -> u8 {
         // Cells are powers of two apart, so that the cell is never one too high. A NaN becomes 0: black.
         let clamped = linear.clamp(0.0, 1.0);
-        let mut step = self.begin[(clamped * CELLS as f32) as usize % (CELLS + 1)];
+        let mut step = self.begin[(clamped * CELLS as f32) as usize];
         while self.least[usize::from(step)] <= clamped {
             step += 1;
         }

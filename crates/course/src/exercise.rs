@@ -246,8 +246,9 @@ macro_rules! signature {
 }
 
 /// The arguments of a call, as values.
+#[macro_export]
 macro_rules! arguments {
-    ($($argument:expr),* $(,)?) => { vec![$(worker::Plain::into_value($argument)),*] };
+    ($($argument:expr),* $(,)?) => { ::std::vec![$($crate::Plain::into_value($argument)),*] };
 }
 
 pub(crate) use {arguments, signature};

@@ -210,6 +210,12 @@ fn picture(exercise: &Exercise, examination: &Examination, mut process: Process)
     exercise.picture(arguments, Some(given), &mut process)
 }
 
+/// The bytes of a student's file; `None` if there is none, or it is no file of a solution's size: a device, a pipe, a disk image.
+pub fn bytes_of(file: &Path) -> Option<Vec<u8>> {
+    let metadata = fs::metadata(file).ok()?;
+    if !metadata.is_file() || metadata.len() > LONGEST_FILE { None } else { fs::read(file).ok() }
+}
+
 /// What can be said of a file without compiling it.
 pub(crate) fn unreadable(file: &Path) -> Option<Outcome> {
     let missing = |why| Some(Outcome::Unreadable(why));

@@ -26,7 +26,7 @@ mod token;
 pub use compile::Compiler;
 pub use crowd::Crowd;
 pub use doubt::Twice;
-pub use judge::{Judge, LONGEST_FILE};
+pub use judge::{Judge, LONGEST_FILE, bytes_of};
 pub use judgement::{Forfeit, Judgement, LooksLike, Outcome, Unreadable, gave};
 pub use kit::{Build, Kit, KitError};
 pub use open::{Asked, Opened};

@@ -7,7 +7,7 @@ use course::{Answerer, Exercise, Fault, Reply, Value};
 use sandbox::Launcher;
 
 use crate::compile::Part;
-use crate::judge::{Judge, Worker, unreadable};
+use crate::judge::{Judge, Worker, bytes_of, unreadable};
 use crate::judgement::Outcome;
 use crate::process::{Limits, Process};
 
@@ -39,7 +39,7 @@ impl Judge {
         if let Some(outcome) = unreadable(file) {
             return Err(outcome);
         }
-        if std::fs::read(file).is_ok_and(|bytes| exercise.is_untouched(&bytes)) {
+        if bytes_of(file).is_some_and(|bytes| exercise.is_untouched(&bytes)) {
             return Err(Outcome::NotStarted);
         }
         let worker = self.worker(&[Part { exercise, file }]).map_err(|error| error.outcome())?;

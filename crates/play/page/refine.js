@@ -16,7 +16,7 @@ const PAUSE = 90;
 const SHARE = 4;
 
 /**
- * Draws looks with the ray tracer. `put(picture, scale)` shows one, `progress({scale, samples, part, micros, notes, over})` says how
+ * Draws looks with the ray tracer. `put(picture, scale)` shows one, `progress({scale, samples, part, elapsed, notes, over})` says how
  * far it is, `failed(error)` what went wrong.
  */
 export const refiner = ({ put, progress, failed }) => {
@@ -32,7 +32,7 @@ export const refiner = ({ put, progress, failed }) => {
     const began = performance.now();
     const wanted = look;
     const question = (more) => frame({ look: wanted, renderer: 'raytrace', scale: 1, rows: null, samples: 1, ...more }, signal);
-    const told = (picture, more) => progress({ micros: picture.micros, notes: picture.notes, elapsed: performance.now() - began, over: false, ...more });
+    const told = (picture, more) => progress({ notes: picture.notes, elapsed: performance.now() - began, over: false, ...more });
     let perRow = null;
     // Depths, normals and counts have no light in them, and nothing to average: they come at once.
     const plain = wanted.show !== 'color';

@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use glam::{Mat3, Quat, Vec3};
-use scene::{Named, Prepared, Renderer, Settings, Shape, View, builtin, parse_name, prepare};
+use scene::{Named, Prepared, Renderer, Scene, Settings, Shape, View, builtin, parse_name, prepare};
 use serde::Deserialize;
 
 use crate::Refusal;
@@ -72,7 +72,14 @@ struct Kept {
     scene: String,
     p: Option<u32>,
     level: Option<u32>,
-    view: View,
+    ready: Ready,
+}
+
+/// A scene, and what it was made into.
+#[derive(Clone, Debug)]
+struct Ready {
+    /// As its file has it, but for exponent and subdivision.
+    scene: Arc<Scene>,
     prepared: Arc<Prepared>,
 }
 
@@ -112,7 +119,7 @@ impl Look {
 /// # Errors
 /// [`Refusal`] if there is none.
 pub(crate) fn named<T: Named>(name: &str) -> Result<T, Refusal> {
-    parse_name(name).map_err(|error| Refusal(error.to_string().into()))
+    parse_name(name).map_err(Refusal::because)
 }
 
 fn out_of_range(what: &str, range: &str) -> Refusal {
@@ -125,12 +132,19 @@ impl Stage {
     /// # Errors
     /// [`Refusal`] if there is no such scene, or a number is out of range.
     pub fn prepared(&self, look: &Look) -> Result<Prepared, Refusal> {
-        let (ready, view) = self.ready(look)?;
-        Ok(ready.seen_by(&moved(&view, look)?)?)
+        let ready = self.ready(look)?;
+        Ok(ready.prepared.seen_by(&moved(&ready.scene.camera, look)?)?)
     }
 
-    /// The scene as its file has it, but for exponent and subdivision.
-    fn ready(&self, look: &Look) -> Result<(Arc<Prepared>, View), Refusal> {
+    /// What the scene of a look says.
+    ///
+    /// # Errors
+    /// As [`Stage::prepared`].
+    pub(crate) fn scene(&self, look: &Look) -> Result<Arc<Scene>, Refusal> {
+        Ok(self.ready(look)?.scene)
+    }
+
+    fn ready(&self, look: &Look) -> Result<Ready, Refusal> {
         let p = look.p.map(f32::to_bits);
         let is_this = |kept: &Kept| kept.scene == look.scene && kept.p == p && kept.level == look.level;
         {
@@ -138,29 +152,29 @@ impl Stage {
             if let Some(at) = kept.iter().position(is_this) {
                 // The one that was used last goes last.
                 let found = kept.remove(at);
-                let answer = (found.prepared.clone(), found.view);
+                let ready = found.ready.clone();
                 kept.push(found);
-                return Ok(answer);
+                return Ok(ready);
             }
         }
-        let (prepared, view) = made_ready(look)?;
+        let ready = made_ready(look)?;
         let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         if kept.len() >= KEPT {
             kept.remove(0);
         }
-        kept.push(Kept { scene: look.scene.clone(), p, level: look.level, view, prepared: prepared.clone() });
-        Ok((prepared, view))
+        kept.push(Kept { scene: look.scene.clone(), p, level: look.level, ready: ready.clone() });
+        Ok(ready)
     }
 }
 
-fn made_ready(look: &Look) -> Result<(Arc<Prepared>, View), Refusal> {
+fn made_ready(look: &Look) -> Result<Ready, Refusal> {
     let builtin = builtin::find(&look.scene).ok_or_else(|| {
         Refusal::new(
             format!("there is no scene {:?}", look.scene),
             format!("er is geen scène {:?}", look.scene),
         )
     })?;
-    let mut loaded = builtin.load().map_err(|error| Refusal(error.to_string().into()))?;
+    let mut loaded = builtin.load().map_err(Refusal::because)?;
     if let Some(p) = look.p {
         if !(0.0..=GREATEST_EXPONENT).contains(&p) {
             return Err(out_of_range("p", &format!("0 … {GREATEST_EXPONENT}")));
@@ -175,8 +189,8 @@ fn made_ready(look: &Look) -> Result<(Arc<Prepared>, View), Refusal> {
             subdivide(&mut object.shape, asked);
         }
     }
-    let prepared = prepare(&loaded)?;
-    Ok((Arc::new(prepared), loaded.scene.camera))
+    let prepared = Arc::new(prepare(&loaded)?);
+    Ok(Ready { scene: Arc::new(loaded.scene), prepared })
 }
 
 fn subdivide(shape: &mut Shape, asked: u32) {

@@ -12,10 +12,15 @@ impl Refusal {
     pub fn new(en: impl Into<String>, nl: impl Into<String>) -> Self {
         Self(Words::new(en, nl))
     }
+
+    /// The reason that an error of ours gives, in English only.
+    pub(crate) fn because(error: impl std::fmt::Display) -> Self {
+        Self(error.to_string().into())
+    }
 }
 
 impl From<scene::RenderError> for Refusal {
     fn from(error: scene::RenderError) -> Self {
-        Self(error.to_string().into())
+        Self::because(error)
     }
 }

@@ -1,5 +1,7 @@
 //! How does a run come to a verdict?
 
+use sheet::Words;
+
 /// What is to be thought of a sentence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
@@ -9,6 +11,30 @@ pub enum Verdict {
     HoldsIf(&'static str),
     /// Not true, and no condition that the slide could have meant saves it.
     Refuted,
+}
+
+impl Verdict {
+    /// "holds", "holds if …" or "refuted". The condition is English in both languages.
+    #[must_use]
+    pub fn in_words(self) -> Words {
+        match self {
+            Self::Holds => Words::new("holds", "klopt"),
+            Self::HoldsIf(condition) => {
+                Words::new(format!("holds if {condition}"), format!("klopt als: {condition}"))
+            }
+            Self::Refuted => Words::new("refuted", "weerlegd"),
+        }
+    }
+
+    /// The same in one word, by which a style sheet colours it.
+    #[must_use]
+    pub fn class(self) -> &'static str {
+        match self {
+            Self::Holds => "holds",
+            Self::HoldsIf(_) => "partly",
+            Self::Refuted => "refuted",
+        }
+    }
 }
 
 impl std::fmt::Display for Verdict {

@@ -12,7 +12,6 @@ use base64::engine::general_purpose::STANDARD;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use sheet::STYLE;
 
-use crate::claims::Verdict;
 use crate::figure::{Text, Words};
 
 /// Nothing from elsewhere, not even by mistake.
@@ -106,16 +105,11 @@ fn figure(entry: &Entry) -> Markup {
 }
 
 fn claim(trial: &Trial) -> Markup {
-    let class = match trial.verdict {
-        Verdict::Holds => "holds",
-        Verdict::HoldsIf(_) => "partly",
-        Verdict::Refuted => "refuted",
-    };
     html! {
         article.claim id=(trial.stem) {
             h3 {
                 span.number { (trial.number) }
-                span class={ "verdict " (class) } { (both(&trial.verdict_in_words())) }
+                span class={ "verdict " (trial.verdict.class()) } { (both(&trial.verdict.in_words())) }
                 @if !trial.is_as_expected {
                     span.unexpected { (both(&UNEXPECTED.into())) }
                 }

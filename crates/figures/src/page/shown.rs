@@ -102,15 +102,4 @@ impl Trial {
             drawings,
         }
     }
-
-    /// "holds", "holds if …" or "refuted". The condition is English in both languages.
-    pub(super) fn verdict_in_words(&self) -> Words {
-        match self.verdict {
-            Verdict::Holds => Words::new("holds", "klopt"),
-            Verdict::HoldsIf(condition) => {
-                Words::new(format!("holds if {condition}"), format!("klopt als: {condition}"))
-            }
-            Verdict::Refuted => Words::new("refuted", "weerlegd"),
-        }
-    }
 }

@@ -5,10 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use course::{Exercise, fingerprint};
-use grader::{Judgement, version};
+use grader::{Judgement, bytes_of, version};
 use serde_json::{Value as Json, json};
 
-use super::workbench::bytes_of;
 use crate::unfinished::Unfinished;
 
 /// What is remembered of the exercises.

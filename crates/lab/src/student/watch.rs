@@ -6,10 +6,10 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
 use course::Exercise;
-use grader::{Judge, Judgement};
+use grader::{Judge, Judgement, bytes_of};
 
 use super::ink::{faint, strong, typed};
-use super::workbench::{Workbench, bytes_of};
+use super::workbench::Workbench;
 use super::{board, changes, hint, keys, verdict, which};
 use crate::cli::{Outcome, WatchArgs};
 use crate::failure::Failure;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use course::Exercise;
-use grader::{Build, Compiler, Judge, Judgement, Kit, LONGEST_FILE, Limits};
+use grader::{Build, Compiler, Judge, Judgement, Kit, Limits, bytes_of};
 
 use super::ink;
 use super::memory::Memory;
@@ -171,10 +171,4 @@ fn features() -> &'static [&'static str] {
 /// Whether the file is as it was handed out, but for the ends of lines.
 pub(crate) fn is_untouched(exercise: &Exercise, file: &Path) -> bool {
     bytes_of(file).is_some_and(|bytes| exercise.is_untouched(&bytes))
-}
-
-/// The bytes of a student's file; `None` if there is none, or it is no file of a solution's size: a device, a pipe, a disk image.
-pub(crate) fn bytes_of(file: &Path) -> Option<Vec<u8>> {
-    let metadata = fs::metadata(file).ok()?;
-    if !metadata.is_file() || metadata.len() > LONGEST_FILE { None } else { fs::read(file).ok() }
 }

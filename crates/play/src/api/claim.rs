@@ -1,6 +1,6 @@
 //! Is it true? The claim stands its trial when the page asks.
 
-use figures::claims::{self, Verdict, Version};
+use figures::claims::{self, Version};
 use serde::Deserialize;
 use serde_json::{Value as Json, json};
 
@@ -25,21 +25,14 @@ pub(crate) fn run(asked: &Asked) -> Result<Json, Refusal> {
         Refusal::new(format!("there is no claim {name:?}"), format!("er is geen bewering {name:?}"))
     })?;
     let report = claim.run();
-    let (class, verdict) = match report.examination.verdict {
-        Verdict::Holds => ("holds", json!({ "en": "holds", "nl": "klopt" })),
-        Verdict::HoldsIf(condition) => (
-            "partly",
-            json!({ "en": format!("holds if {condition}"), "nl": format!("klopt als: {condition}") }),
-        ),
-        Verdict::Refuted => ("refuted", json!({ "en": "refuted", "nl": "weerlegd" })),
-    };
+    let verdict = report.examination.verdict;
     let pictures = claim.pictures.map(|pictures| pictures()).transpose();
-    let pictures = pictures.map_err(|error| Refusal(error.to_string().into()))?.unwrap_or_default();
+    let pictures = pictures.map_err(Refusal::because)?.unwrap_or_default();
     let version = |version: &Version| json!({ "says": words(&version.says), "gives": words(&version.gives) });
     let [slide, right] = claim.versions.map_or([Json::Null, Json::Null], |run| run().each_ref().map(version));
     Ok(json!({
-        "verdict": verdict,
-        "class": class,
+        "verdict": words(&verdict.in_words()),
+        "class": verdict.class(),
         "expected": report.is_as_expected(),
         "evidence": report.examination.evidence.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "drawings": drawings(&pictures)?,

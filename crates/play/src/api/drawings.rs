@@ -33,7 +33,7 @@ fn drawing(drawing: &Drawing) -> Result<Json, Refusal> {
 /// # Errors
 /// [`Refusal`] if it cannot be encoded.
 pub(crate) fn png(image: &Image) -> Result<String, Refusal> {
-    let bytes = codec::encode(image, Format::Png8).map_err(|error| Refusal(error.to_string().into()))?;
+    let bytes = codec::encode(image, Format::Png8).map_err(Refusal::because)?;
     Ok(format!("data:image/png;base64,{}", STANDARD.encode(bytes)))
 }
 

@@ -8,7 +8,7 @@ use serde::Deserialize;
 use serde_json::{Value as Json, json};
 
 use super::drawings::drawings;
-use super::lecture::shortest;
+use super::number;
 use crate::Refusal;
 
 /// A figure with some of its values.
@@ -50,23 +50,22 @@ pub(crate) fn values(
     set: &BTreeMap<String, f32>,
     size: Option<[u32; 2]>,
 ) -> Result<Values, Refusal> {
-    let refused = |error: figures::ParameterError| Refusal(error.to_string().into());
     let mut values = Values::of(figure);
     for (name, value) in set {
-        values.set(name, *value).map_err(refused)?;
+        values.set(name, *value).map_err(Refusal::because)?;
     }
     if let Some([width, height]) = size {
-        values.set_size(width, height).map_err(refused)?;
+        values.set_size(width, height).map_err(Refusal::because)?;
     }
     Ok(values)
 }
 
 fn drawn(figure: &Figure, values: &Values) -> Result<Json, Refusal> {
-    let drawn = (figure.draw)(values).map_err(|error| Refusal(error.to_string().into()))?;
+    let drawn = (figure.draw)(values).map_err(Refusal::because)?;
     let set: serde_json::Map<String, Json> = figure
         .parameters
         .iter()
-        .map(|parameter| (parameter.name.to_owned(), shortest(values.number(parameter.name)).into()))
+        .map(|parameter| (parameter.name.to_owned(), number(values.number(parameter.name))))
         .collect();
     Ok(json!({ "set": set, "drawings": drawings(&drawn)? }))
 }
@@ -95,5 +94,5 @@ pub(crate) fn drag(asked: &Dragged) -> Result<Json, Refusal> {
     let values = values(figure, &asked.set, asked.size)?;
     let to = Vec2::from(asked.to).clamp(Vec2::ZERO, Vec2::ONE);
     let values = figures::drag(figure, &values, asked.drawing, asked.handle, to);
-    drawn(figure, &values.map_err(|error| Refusal(error.to_string().into()))?)
+    drawn(figure, &values.map_err(Refusal::because)?)
 }

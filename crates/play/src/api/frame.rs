@@ -1,10 +1,11 @@
 //! What does one of the three loops see? A picture, or some rows of it.
 
+use std::ops::Range;
 use std::sync::LazyLock;
 use std::time::Instant;
 
+use canvas::Rgb;
 use canvas::srgb::EightBitSteps;
-use canvas::{Image, Rgb};
 use hyper::StatusCode;
 use hyper::header::HeaderValue;
 use rayon::prelude::*;
@@ -45,8 +46,7 @@ const MOST_SAMPLES: u32 = 4;
 /// Pixels as a page shows them.
 pub(crate) struct Frame {
     width: u32,
-    height: u32,
-    row: u32,
+    rows: Range<u32>,
     /// As [`packed`] gives them.
     pixels: Vec<u8>,
     notes: Vec<String>,
@@ -68,7 +68,7 @@ pub(crate) fn draw(stage: &Stage, asked: &Asked) -> Result<Frame, Refusal> {
     let (width, height) = settings.size;
     settings.size = (width.div_ceil(asked.scale), height.div_ceil(asked.scale));
     let (width, height) = settings.size;
-    let (row, image, notes) = match asked.rows {
+    let (rows, pixels, notes) = match asked.rows {
         Some([from, to]) if renderer == Renderer::Raytrace && settings.show == Show::Color => {
             if from >= to || to > height {
                 return Err(Refusal::new("no such rows", "zulke rijen zijn er niet"));
@@ -81,17 +81,15 @@ pub(crate) fn draw(stage: &Stage, asked: &Asked) -> Result<Frame, Refusal> {
                 ..raytrace::Settings::default()
             };
             let pixels = raytrace::render_rows(&world, &prepared.pipeline(width, height)?, &rays, from..to);
-            (from, Image::from_rows(width, to - from, pixels), Vec::new())
+            (from..to, packed(&pixels), Vec::new())
         }
         _ => {
             settings.samples = if renderer == Renderer::Raytrace { asked.samples } else { 1 };
             let rendered = scene::render(&prepared, &settings, &|_| ())?;
-            (0, Some(rendered.image), rendered.notes)
+            (0..height, packed(rendered.image.pixels()), rendered.notes)
         }
     };
-    let Some(image) = image else { return Err(Refusal::new("no rows", "geen rijen")) };
-    let (pixels, height) = (packed(image.pixels()), image.height());
-    Ok(Frame { width, height, row, pixels, notes, micros: begun.elapsed().as_micros() })
+    Ok(Frame { width, rows, pixels, notes, micros: begun.elapsed().as_micros() })
 }
 
 /// So many pixels are encoded by one thread at a time.
@@ -154,8 +152,8 @@ impl Frame {
         let notes = escaped(&Json::from(self.notes).to_string());
         for (name, value) in [
             ("x-width", self.width.to_string()),
-            ("x-height", self.height.to_string()),
-            ("x-row", self.row.to_string()),
+            ("x-height", self.rows.len().to_string()),
+            ("x-row", self.rows.start.to_string()),
             ("x-micros", self.micros.to_string()),
             ("x-notes", notes),
         ] {

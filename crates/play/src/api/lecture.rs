@@ -4,7 +4,7 @@ use figures::claims::{self, Claim};
 use figures::{Figure, Parameter};
 use serde_json::{Value as Json, json};
 
-use super::text;
+use super::{number, text, title};
 use crate::Mine;
 
 /// Everything that the page can show.
@@ -36,16 +36,11 @@ fn parameter(parameter: &Parameter) -> Json {
     json!({
         "name": parameter.name,
         "label": text(parameter.label),
-        "default": shortest(parameter.default),
-        "least": shortest(parameter.least),
-        "greatest": shortest(parameter.greatest),
+        "default": number(parameter.default),
+        "least": number(parameter.least),
+        "greatest": number(parameter.greatest),
         "whole": parameter.whole,
     })
-}
-
-/// A number with the digits that it takes to read it back as `f32`, and no more: 0.1, not 0.10000000149.
-pub(super) fn shortest(number: f32) -> f64 {
-    number.to_string().parse().unwrap_or(f64::from(number))
 }
 
 fn claim(claim: &'static Claim) -> Json {
@@ -63,7 +58,7 @@ fn claim(claim: &'static Claim) -> Json {
 fn exercise(exercise: &course::Exercise) -> Json {
     json!({
         "name": exercise.name,
-        "title": { "en": exercise.title.english, "nl": exercise.title.dutch },
+        "title": title(exercise),
         "concept": exercise.concept.name(),
         "path": exercise.path(),
     })

@@ -56,6 +56,16 @@ pub(crate) fn text(text: Text) -> Json {
     json!({ "en": text.en, "nl": text.nl })
 }
 
+/// The shortest digits that read back to the same number; nothing for an infinity or a NaN, which JSON does not have.
+pub(crate) fn number(x: f32) -> Json {
+    if x.is_finite() { x.to_string().parse::<f64>().map_or(Json::Null, |x| json!(x)) } else { Json::Null }
+}
+
+/// What an exercise is called.
+pub(crate) fn title(exercise: &Exercise) -> Json {
+    text(Text { en: exercise.title.english, nl: exercise.title.dutch })
+}
+
 /// The exercise of this name.
 ///
 /// # Errors

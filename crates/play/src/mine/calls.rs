@@ -1,15 +1,15 @@
 //! How is a function drawn whose answer is no colour and no point: a matrix, say? As the exercise draws one call.
 
-use course::{Answerer, Exercise, InProcess, Reply, Value, values};
+use course::{Answerer, Exercise, InProcess, Reply, Value, arguments, values};
 use glam::{Vec3, vec2, vec3};
 use serde_json::json;
 use sheet::Words;
 use vocabulary::ViewVolume;
 
-use super::drawing::{Drawn, words};
+use super::drawing::Drawn;
 use super::knobs::Knobs;
-use super::panel::arguments;
 use super::said::Trouble;
+use crate::api::words;
 
 /// Numbers of an answer that are as near as this, relative for those above 1, are the same: what one way to compute them rounds otherwise than another.
 const SAME: f32 = 1e-3;
@@ -52,8 +52,8 @@ pub(super) fn of_a_call(exercise: &Exercise, knobs: &Knobs<'_>, yours: &mut dyn 
         format!("{} van {worked} uitgewerkte voorbeelden verschillen", wrong.len()),
     );
     let alt = Words::new(
-        format!("One call of {}, yours and right; wrong: {}.", exercise.name, differs.en),
-        format!("Eén aanroep van {}, van jou en goed; fout: {}.", exercise.name, differs.nl),
+        format!("One call of {}, yours and right; {}.", exercise.name, differs.en),
+        format!("Eén aanroep van {}, van jou en goed; {}.", exercise.name, differs.nl),
     );
     let drawings = picture.map(
         |picture| json!({ "name": "call", "label": words(&label), "alt": words(&alt), "svg": picture.svg }),

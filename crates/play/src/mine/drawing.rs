@@ -1,15 +1,14 @@
 //! How do a student's function and the right one become three pictures: yours, right, and the difference?
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
-use canvas::codec::encode;
-use canvas::{Format, Image, Rgb, difference, side_by_side};
+use canvas::{Image, Rgb, difference, side_by_side};
 use course::{Answerer, Exercise, InProcess, Reply, Value, values};
 use serde_json::{Value as Json, json};
 use sheet::Words;
 
 use super::panel::{Dots, Panel, enlarged};
 use super::said::Trouble;
+use crate::api::drawings::png;
+use crate::api::words;
 
 /// What a screen shows as two colours: more than a step of eight bits, encoded.
 const SEEN: f32 = 1.0 / 255.0;
@@ -135,20 +134,14 @@ fn picture(name: &str, label: &Words, panels: &[Image], differs: &Words) -> Opti
         panels.iter().map(|panel| enlarged(panel, (tallest / panel.height()).max(1))).collect();
     let row = side_by_side(&grown.iter().collect::<Vec<_>>(), GAP, BETWEEN);
     let row = enlarged(&row, (WIDTH / row.width()).max(1));
-    let bytes = encode(&row, Format::Png8).ok()?;
     let alt = Words::new(
-        format!("Drawn pixel by pixel, {}; what differs: {}.", label.en, differs.en),
-        format!("Pixel voor pixel getekend, {}; wat verschilt: {}.", label.nl, differs.nl),
+        format!("Drawn pixel by pixel, {}; {}.", label.en, differs.en),
+        format!("Pixel voor pixel getekend, {}; {}.", label.nl, differs.nl),
     );
     Some(json!({
         "name": name,
         "label": words(label),
         "alt": words(&alt),
-        "png": format!("data:image/png;base64,{}", STANDARD.encode(bytes)),
+        "png": png(&row).ok()?,
     }))
-}
-
-/// For the page.
-pub(super) fn words(words: &Words) -> Json {
-    json!({ "en": words.en, "nl": words.nl })
 }

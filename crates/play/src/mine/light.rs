@@ -3,12 +3,12 @@
 use std::f32::consts::PI;
 
 use canvas::Rgb;
-use course::{Plain, Value};
+use course::{Plain, Value, arguments};
 use glam::{Vec3, vec3};
 use vocabulary::{Light, Material, SurfacePoint};
 
 use super::knobs::Knobs;
-use super::panel::{Panel, arguments};
+use super::panel::Panel;
 
 /// Pixels along each side of a ball.
 const SIDE: u32 = 56;

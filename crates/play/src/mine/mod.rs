@@ -32,8 +32,9 @@ use figures::{Figure, Values};
 use grader::{Judge, Opened};
 use serde_json::{Value as Json, json};
 
+use crate::api::{title, words};
 use compiled::{Shelf, locked};
-use drawing::{Drawn, words};
+use drawing::Drawn;
 use knobs::Knobs;
 use said::Trouble;
 
@@ -98,7 +99,9 @@ impl Mine {
 
     fn drawn(&self, knobs: &Knobs<'_>, exercise: &'static Exercise) -> Drawn {
         let file = self.file(exercise);
-        if is_untouched(exercise, &file) {
+        let bytes = grader::bytes_of(&file);
+        // Then nothing has to be made ready to compile it.
+        if bytes.as_ref().is_some_and(|bytes| exercise.is_untouched(bytes)) {
             return Drawn::nothing(Trouble::of_file(grader::Outcome::NotStarted));
         }
         let judge = match self.judge() {
@@ -107,7 +110,7 @@ impl Mine {
         };
         let slot = self.shelf.slot(exercise);
         let mut slot = locked(&slot);
-        match slot.open(&judge, exercise, &file) {
+        match slot.open(&judge, exercise, &file, bytes.map(course::fingerprint)) {
             Ok(opened) => by(opened, knobs, exercise),
             Err(outcome) => Drawn::nothing(Trouble::of_file(outcome)),
         }
@@ -137,7 +140,7 @@ impl Mine {
         json!({
             "state": state,
             "exercise": exercise.name,
-            "title": { "en": exercise.title.english, "nl": exercise.title.dutch },
+            "title": title(exercise),
             "message": message,
             "detail": detail,
             "file": shown(&self.exercises, exercise),
@@ -158,13 +161,6 @@ fn by(opened: &Opened, knobs: &Knobs<'_>, exercise: &Exercise) -> Drawn {
     } else {
         drawing::of_panels(exercise, &panels, &mut yours)
     }
-}
-
-/// Whether a file is as it was handed out: then nothing has to be made ready to compile it.
-fn is_untouched(exercise: &Exercise, file: &Path) -> bool {
-    let fits = std::fs::metadata(file)
-        .is_ok_and(|metadata| metadata.is_file() && metadata.len() <= grader::LONGEST_FILE);
-    fits && std::fs::read(file).is_ok_and(|bytes| exercise.is_untouched(&bytes))
 }
 
 /// The file's path as the student knows it, from the folder of exercises on.

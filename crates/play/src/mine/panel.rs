@@ -26,13 +26,6 @@ pub(super) struct Panel {
     paint: Box<Paint>,
 }
 
-/// The arguments of a call.
-macro_rules! arguments {
-    ($($argument:expr),* $(,)?) => { vec![$(course::Plain::into_value($argument)),*] };
-}
-
-pub(super) use arguments;
-
 impl Panel {
     /// Asks a question for each pixel (i, j), j upwards, where there is one; `color` says what an answer of type `T` looks like there.
     pub(super) fn of_pixels<T: Plain>(

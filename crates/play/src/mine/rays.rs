@@ -1,12 +1,13 @@
 //! How does a function of the ray tracer look? Each pixel's ray is its question.
 
 use canvas::Rgb;
+use course::arguments;
 use glam::{Mat3, Vec2, Vec3, vec2, vec3};
 use vocabulary::{Ball, Basis, Lamp, MirrorBall, Ray, Sphere, Triangle, TriangleHit, ViewVolume};
 
 use super::knobs::Knobs;
 use super::light::direction;
-use super::panel::{Panel, arguments};
+use super::panel::Panel;
 
 /// Pixels along each side of a picture; odd, so that one row of rays is level.
 const SIDE: u32 = 51;

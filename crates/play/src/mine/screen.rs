@@ -1,12 +1,12 @@
 //! How does a function of the rasterizer look? On a small screen whose pixels are seen one by one.
 
 use canvas::Rgb;
-use course::Value;
+use course::{Value, arguments};
 use glam::{Vec2, Vec3, vec2, vec3};
 use vocabulary::{Barycentric, Buffers, Fragment, Occlusion, Pixel, Triangle, Triangle2};
 
 use super::knobs::Knobs;
-use super::panel::{Dot, Panel, arguments, dot};
+use super::panel::{Dot, Panel, dot};
 use super::rays::tint;
 
 /// What is not covered.

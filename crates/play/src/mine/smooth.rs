@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 
 use canvas::Rgb;
-use course::Value;
+use course::{Value, arguments};
 use geometry::shapes;
 use glam::{Vec2, Vec3, vec3};
 use vocabulary::{Barycentric, Material, Triangle};
 
 use super::knobs::Knobs;
 use super::light::direction;
-use super::panel::{Dot, Panel, arguments, dot};
+use super::panel::{Dot, Panel, dot};
 
 /// Pixels along each side of a ball.
 const SIDE: u32 = 60;

@@ -1,7 +1,7 @@
 //! What does each triangle do to the depth buffer of the slide (L17)?
 
 use canvas::{Image, Rgb};
-use figures::{GRID, polygons_of_the_grids};
+use figures::{GRID, Values, polygons_of_the_grids};
 use glam::{Vec2, vec2};
 use sheet::{Ink, Letters, Sheet, Side, Words};
 use zbuffer::{DepthBuffer, DepthFormat, Fragment, ScreenTriangle, draw::draw, rasterize};
@@ -9,30 +9,27 @@ use zbuffer::{DepthBuffer, DepthFormat, Fragment, ScreenTriangle, draw::draw, ra
 use super::{Drawing, Step, Told};
 use crate::Refusal;
 
-/// What depths may be: those of the figure's parameters.
-const RANGE: std::ops::RangeInclusive<f32> = 1.0..=20.0;
+/// What the figure calls the depths of its polygons.
+const NAMES: [&str; 3] = ["first", "second", "third"];
 
 /// The first of the slide's depths.
 pub(super) fn first() -> f32 {
-    default("first")
+    slide().number(NAMES[0])
 }
 
 /// The second.
 pub(super) fn second() -> f32 {
-    default("second")
+    slide().number(NAMES[1])
 }
 
 /// The third.
 pub(super) fn third() -> f32 {
-    default("third")
+    slide().number(NAMES[2])
 }
 
-/// The number that the figure of the grids has.
-fn default(name: &str) -> f32 {
-    let figure = figures::find("L17");
-    let parameter =
-        figure.iter().flat_map(|figure| figure.parameters).find(|parameter| parameter.name == name);
-    parameter.map_or(*RANGE.start(), |parameter| parameter.default)
+/// The numbers of the figure of the grids.
+fn slide() -> Values {
+    Values::of(figures::find("depth-grids")[0])
 }
 
 /// A triangle on the grid.
@@ -47,12 +44,9 @@ struct Now<'a> {
 
 /// Clearing, and for each triangle the pixels that it covers, then those that it wins.
 pub(super) fn told(depths: [f32; 3]) -> Result<Told, Refusal> {
-    if !depths.iter().all(|z| RANGE.contains(z)) {
-        let (least, greatest) = (RANGE.start(), RANGE.end());
-        return Err(Refusal::new(
-            format!("a depth is out of range: {least} … {greatest}"),
-            format!("een diepte is buiten het bereik {least} … {greatest}"),
-        ));
+    let mut values = slide();
+    for (name, z) in NAMES.into_iter().zip(depths) {
+        values.set(name, z).map_err(Refusal::because)?;
     }
     let (width, height) = GRID;
     let mut image = Image::new(width, height, Rgb::ZERO);

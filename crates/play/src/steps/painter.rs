@@ -46,7 +46,7 @@ pub(super) fn told(stage: &Stage, look: &Look) -> Result<Told, Refusal> {
         ));
     }
     let pipeline = prepared.pipeline(width, height)?;
-    let names = Names::of(look);
+    let names = Names::of(&*stage.scene(&small)?);
     prepared.in_world(&settings, |world| painted(world, &pipeline, &settings, &names))
 }
 

@@ -6,12 +6,7 @@ use serde_json::{Value as Json, json};
 use sheet::Words;
 use sheet::text::decimal;
 
-pub(crate) use crate::api::words;
-
-/// The shortest digits that read back to the same number; nothing for an infinity or a NaN, which JSON does not have.
-pub(crate) fn number(x: f32) -> Json {
-    if x.is_finite() { x.to_string().parse::<f64>().map_or(Json::Null, |x| json!(x)) } else { Json::Null }
-}
+pub(crate) use crate::api::{number, words};
 
 /// Three numbers.
 pub(crate) fn vector(v: Vec3) -> Json {

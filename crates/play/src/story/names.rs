@@ -1,20 +1,16 @@
 //! What is object 3 called? By its shape and its material, as the scene file has them.
 
-use scene::{Shape, builtin};
+use scene::{Scene, Shape};
 use sheet::Words;
-
-use crate::Look;
 
 /// The names of a scene's objects, copies counted one by one.
 pub(crate) struct Names(Vec<Words>);
 
 impl Names {
-    /// The names in the scene of a look; none if there is no such scene.
-    pub(crate) fn of(look: &Look) -> Self {
-        let loaded = builtin::find(&look.scene).and_then(|scene| scene.load().ok());
-        let objects = loaded.map(|loaded| loaded.scene.objects).unwrap_or_default();
+    /// The names in a scene.
+    pub(crate) fn of(scene: &Scene) -> Self {
         let mut names = Vec::new();
-        for object in &objects {
+        for object in &scene.objects {
             let name = named(&object.shape, object.material.as_deref());
             match object.instances.len() {
                 0 => names.push(name),
@@ -61,11 +57,12 @@ fn named(shape: &Shape, material: Option<&str>) -> Words {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{Look, Stage};
 
     #[test]
     fn each_copy_has_a_name_of_its_own() {
         let look = Look { scene: "floating-bin".to_owned(), ..Look::default() };
-        let names = Names::of(&look);
+        let names = Names::of(&Stage::default().scene(&look).unwrap());
         assert_eq!(names.object(0).en, "polygons “floor”");
         assert_eq!(names.object(2).nl, "veelhoeken “bin”, kopie 2");
         assert_eq!(names.triangle(9, 4).en, "triangle 4 of object 9");

@@ -38,7 +38,7 @@ impl Subject {
         Ok(Self {
             pipeline: prepared.pipeline(look.width, look.height)?,
             world: prepared.traced_world(&settings)?,
-            names: Names::of(look),
+            names: Names::of(&*stage.scene(look)?),
             prepared,
             settings,
             i,

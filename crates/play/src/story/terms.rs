@@ -3,8 +3,7 @@
 //! Each term is asked of the lighting model itself: once without a highlight, once without diffuse light.
 
 use canvas::Rgb;
-use glam::Vec3;
-use lighting::{Highlight, Light, Material, SurfacePoint, halfway, lit, reflect};
+use lighting::{Highlight, Illumination, Light, Material, SurfacePoint, halfway, lit, reflect};
 use serde_json::{Value as Json, json};
 use sheet::Words;
 use sheet::text::decimal;
@@ -30,7 +29,7 @@ pub(super) struct Lit<'a> {
 /// One term of the lighting equation.
 struct Term {
     name: Words,
-    formula: &'static str,
+    formula: String,
     numbers: String,
     value: Rgb,
 }
@@ -78,10 +77,9 @@ impl Lit<'_> {
         for (k, light) in self.lights.iter().enumerate() {
             if let Some(arriving) = light.illumination(at.p_world) {
                 let share = self.shares.get(k).copied().unwrap_or(Rgb::ONE);
-                let name = name_of_light(k, light);
-                let color = arriving.color;
-                terms.push(self.diffuse(&name, at, light, (arriving.to_light, color), share));
-                terms.push(self.specular(&name, at, light, (arriving.to_light, color), share));
+                let arriving = Arriving { name: name_of_light(k, light), light, arriving, share };
+                terms.push(self.diffuse(at, &arriving));
+                terms.push(self.specular(at, &arriving));
             }
         }
         terms
@@ -92,7 +90,7 @@ impl Lit<'_> {
             self.lights.iter().filter(|light| matches!(light, Light::Ambient { .. })).copied().collect();
         Term {
             name: Words::new("ambient light", "omgevingslicht"),
-            formula: "c_r c_a",
+            formula: "c_r c_a".to_owned(),
             numbers: format!(
                 "{} · {}",
                 triple(self.material.diffuse),
@@ -102,67 +100,57 @@ impl Lit<'_> {
         }
     }
 
-    fn diffuse(
-        &self,
-        name: &Words,
-        at: &SurfacePoint,
-        light: &Light,
-        (to_light, color): (Vec3, Rgb),
-        share: Rgb,
-    ) -> Term {
+    fn diffuse(&self, at: &SurfacePoint, from: &Arriving<'_>) -> Term {
         let matt = Material { specular: Rgb::ZERO, ..*self.material };
-        let (factor, hidden) = in_front(share);
         Term {
-            name: Words::new(format!("{}: diffuse", name.en), format!("{}: diffuus", name.nl)),
-            formula: if hidden { "s c_r c_l max(0, n·l)" } else { "c_r c_l max(0, n·l)" },
+            name: Words::new(format!("{}: diffuse", from.name.en), format!("{}: diffuus", from.name.nl)),
+            formula: from.formula("c_r c_l max(0, n·l)"),
             numbers: format!(
-                "{factor}{} · {} · max(0, {})",
+                "{}{} · {} · max(0, {})",
+                from.factor(),
                 triple(self.material.diffuse),
-                triple(color),
-                decimal(at.n.dot(to_light), 3)
+                triple(from.arriving.color),
+                decimal(at.n.dot(from.arriving.to_light), 3)
             ),
-            value: share * lit(&matt, std::slice::from_ref(light), self.highlight, at, |_| true),
+            value: self.value(&matt, at, from),
         }
     }
 
-    fn specular(
-        &self,
-        name: &Words,
-        at: &SurfacePoint,
-        light: &Light,
-        (to_light, color): (Vec3, Rgb),
-        share: Rgb,
-    ) -> Term {
+    fn specular(&self, at: &SurfacePoint, from: &Arriving<'_>) -> Term {
         let black = Material { diffuse: Rgb::ZERO, ..*self.material };
-        let (factor, hidden) = in_front(share);
-        let (cosine, formula) = match (self.highlight, hidden) {
-            (Highlight::Phong, false) => (at.to_eye.dot(reflect(at.n, to_light)), "c_s c_l max(0, e·r)^p"),
-            (Highlight::Phong, true) => (at.to_eye.dot(reflect(at.n, to_light)), "s c_s c_l max(0, e·r)^p"),
-            (Highlight::Blinn, hidden) => {
-                let cosine = halfway(at.to_eye, to_light).map_or(0.0, |h| h.dot(at.n));
-                (cosine, if hidden { "s c_s c_l max(0, h·n)^p" } else { "c_s c_l max(0, h·n)^p" })
+        let to_light = from.arriving.to_light;
+        let (cosine, formula) = match self.highlight {
+            Highlight::Phong => (at.to_eye.dot(reflect(at.n, to_light)), "c_s c_l max(0, e·r)^p"),
+            Highlight::Blinn => {
+                (halfway(at.to_eye, to_light).map_or(0.0, |h| h.dot(at.n)), "c_s c_l max(0, h·n)^p")
             }
         };
         // The gate of the lighting model: no highlight on the side that is turned away.
         let gate = if at.n.dot(to_light) > 0.0 { "" } else { "0 · " };
         Term {
-            name: Words::new(format!("{}: highlight", name.en), format!("{}: glansplek", name.nl)),
-            formula,
+            name: Words::new(format!("{}: highlight", from.name.en), format!("{}: glansplek", from.name.nl)),
+            formula: from.formula(formula),
             numbers: format!(
-                "{factor}{gate}{} · {} · max(0, {})^{}",
+                "{}{gate}{} · {} · max(0, {})^{}",
+                from.factor(),
                 triple(self.material.specular),
-                triple(color),
+                triple(from.arriving.color),
                 decimal(cosine, 4),
                 self.material.exponent
             ),
-            value: share * lit(&black, std::slice::from_ref(light), self.highlight, at, |_| true),
+            value: self.value(&black, at, from),
         }
+    }
+
+    /// What the lighting model makes of one light on this material.
+    fn value(&self, material: &Material, at: &SurfacePoint, from: &Arriving<'_>) -> Rgb {
+        from.share * lit(material, std::slice::from_ref(from.light), self.highlight, at, |_| true)
     }
 
     /// Gouraud shading: the colours of the corners, and how much each counts.
     fn between(&self, corners: &[Weighted]) -> (Vec<Term>, Vec<Json>) {
         const NAMES: [(&str, &str); 3] = [("α c₀", "c₀"), ("β c₁", "c₁"), ("γ c₂", "c₂")];
-        let corner = |((at, weight), (formula, name)): (&Weighted, (&'static str, &str))| {
+        let corner = |((at, weight), (formula, name)): (&Weighted, (&str, &str))| {
             let terms = self.terms(at);
             let color = sum(&terms);
             let told = json!({
@@ -178,7 +166,7 @@ impl Lit<'_> {
                     format!("colour of the corner, {name}"),
                     format!("kleur van het hoekpunt, {name}"),
                 ),
-                formula,
+                formula: formula.to_owned(),
                 numbers: format!("{} · {}", decimal(*weight, 3), triple(color)),
                 value: color * *weight,
             };
@@ -188,9 +176,28 @@ impl Lit<'_> {
     }
 }
 
-/// What stands before the other factors of a light that does not arrive in full, and whether anything does.
-fn in_front(share: Rgb) -> (String, bool) {
-    if share == Rgb::ONE { (String::new(), false) } else { (format!("{} · ", triple(share)), true) }
+/// Light that arrives at a point, and what of it nothing stops.
+struct Arriving<'a> {
+    name: Words,
+    light: &'a Light,
+    arriving: Illumination,
+    share: Rgb,
+}
+
+impl Arriving<'_> {
+    fn is_whole(&self) -> bool {
+        self.share == Rgb::ONE
+    }
+
+    /// The formula of a term, with s for the share where not all arrives.
+    fn formula(&self, whole: &str) -> String {
+        if self.is_whole() { whole.to_owned() } else { format!("s {whole}") }
+    }
+
+    /// The share as it stands before the other factors.
+    fn factor(&self) -> String {
+        if self.is_whole() { String::new() } else { format!("{} · ", triple(self.share)) }
+    }
 }
 
 fn sum(terms: &[Term]) -> Rgb {
