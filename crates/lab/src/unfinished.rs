@@ -85,6 +85,7 @@ impl Drop for Unfinished {
 
 /// Removes the temporary file, if there is one. The program ends before what this gives is dropped, so that nobody makes
 /// another one.
+#[cfg(any(unix, test))]
 #[must_use = "a new file can be made as soon as this is dropped"]
 pub(crate) fn abandon() -> impl Sized {
     let current = lock();

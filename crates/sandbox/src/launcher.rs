@@ -35,7 +35,8 @@ impl Launcher {
         here::THIS_PROGRAM.map(|_| Self { program: program.to_owned() })
     }
 
-    /// What it starts first.
+    /// Returns the program that it starts first.
+    #[cfg(all(target_os = "linux", any(target_arch = "x86_64", target_arch = "aarch64")))]
     pub(crate) fn program(&self) -> &Path {
         &self.program
     }

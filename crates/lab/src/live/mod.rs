@@ -123,7 +123,8 @@ static SERVER: OnceLock<Server> = OnceLock::new();
 /// Where this server's programs of students' functions lie.
 static SCRATCH: OnceLock<PathBuf> = OnceLock::new();
 
-/// Leaves nothing behind that was compiled.
+/// Removes what was compiled for the page.
+#[cfg_attr(not(unix), allow(dead_code, reason = "only the handler of signals calls it"))]
 pub(crate) fn abandon() {
     if let Some(server) = SERVER.get() {
         server.clear();
