@@ -129,6 +129,15 @@ mod tests {
     }
 
     #[test]
+    fn a_cosine_of_zero_gives_no_highlight_even_to_the_power_of_zero() {
+        // e·r = −0.6 · 0.8 + 0.8 · 0.6, which is 0 without rounding.
+        let (to_light, to_eye) = (vec3(0.6, 0.0, 0.8), vec3(0.8, 0.0, 0.6));
+        assert_eq!(to_eye.dot(reflect(Vec3::Z, to_light)), 0.0);
+        assert_eq!(phong_highlight(Vec3::Z, to_light, to_eye, 0.0), 0.0);
+        assert_eq!(phong_highlight(Vec3::Z, to_light, vec3(0.0, 0.6, 0.8), 0.0), 1.0);
+    }
+
+    #[test]
     fn the_reflected_form_leaks_without_a_gate() {
         // n·l = −0.17: the light is 9.8° below the horizon, and the mirror direction too.
         let to_light = vec3(-0.985_444, 0.0, -0.17);

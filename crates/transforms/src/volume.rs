@@ -221,9 +221,24 @@ mod tests {
 
     #[test]
     fn fields_of_view_outside_zero_to_pi_are_refused() {
-        for fov_y in [0.0, -1.0, 3.2, f32::NAN] {
+        for fov_y in [0.0, -1.0, std::f32::consts::PI, 3.2, f32::NAN] {
             let error = ViewVolume::from_fov_y(fov_y, 1.0, -1.0, -10.0);
             assert!(matches!(error, Err(DegenerateVolume::FieldOfView(_))), "{fov_y}: {error:?}");
         }
+    }
+
+    #[test]
+    fn aspect_ratios_that_are_not_positive_and_finite_are_refused_as_such() {
+        for aspect in [0.0, -1.5, f32::INFINITY, f32::NEG_INFINITY, f32::NAN] {
+            let error = ViewVolume::from_fov_y(1.0, aspect, -1.0, -10.0);
+            assert!(matches!(error, Err(DegenerateVolume::AspectRatio(_))), "{aspect}: {error:?}");
+        }
+    }
+
+    #[test]
+    fn the_aspect_ratio_is_width_over_height() {
+        // 4 wide and 3 high; then 5 wide and 2 high, off to one side.
+        assert_eq!(VOLUME.aspect(), 4.0 / 3.0);
+        assert_eq!(ViewVolume { left: 2.0, right: 7.0, bottom: 3.0, top: 5.0, ..VOLUME }.aspect(), 2.5);
     }
 }

@@ -135,6 +135,46 @@ fn a_light_that_reaches_some_points_lights_only_those() {
     }
 }
 
+/// The distances to a lamp that `lit` hands to its shadow test.
+fn distances(position: Vec3, points: &[Vec3; 8]) -> [f32; 8] {
+    #[inline(always)]
+    fn of<S: Simd>(simd: S, position: Vec3, points: &[Vec3; 8]) -> [f32; 8] {
+        let [x, y, z] = [0, 1, 2].map(|axis| points.map(|p| p[axis]));
+        let n = Vectors::splat(simd, Vec3::Z);
+        let at = Points::seen_from(simd, vec3(1.0, 2.0, 9.0), Vectors::load(simd, [&x, &y, &z]), n);
+        let lights = [Light::Point { position, color: Rgb::ONE }];
+        let mut seen = [0.0; 8];
+        lighting::fast::lit(
+            simd,
+            &Material::matt(Rgb::ONE),
+            &lights,
+            Highlight::Phong,
+            &at,
+            |_, _, far, all| {
+                seen = far.to_array();
+                all
+            },
+        );
+        seen
+    }
+    dispatch!(Level::new(), simd => of(simd, position, points))
+}
+
+#[test]
+fn the_distance_to_a_lamp_is_right_near_and_far() {
+    let points: [Vec3; 8] = std::array::from_fn(|k| vec3(k as f32, 2.0, 3.0));
+    for position in
+        [vec3(4.0, -1.0, 9.0), vec3(1e9, 2e9, 3e9), vec3(1e19, 2e19, 3e19), vec3(0.0, -1e30, 2e30)]
+    {
+        for (got, p) in distances(position, &points).into_iter().zip(points) {
+            let right = position.as_dvec3().distance(p.as_dvec3());
+            // A difference, three squares and their sum, the root: each rounds by half an epsilon, and the root halves what is below it.
+            let bound = right * 4.0 * f64::from(f32::EPSILON);
+            assert!((f64::from(got) - right).abs() <= bound, "{position}, {p}: {got}, not {right}");
+        }
+    }
+}
+
 #[test]
 fn a_lamp_at_the_point_lights_nothing_and_one_far_away_does() {
     let material = Material::new(vec3(0.5, 0.25, 0.125), 8.0);

@@ -404,6 +404,15 @@ fn a_traced_point_passes_through_the_matrices_of_the_stages() {
 }
 
 #[test]
+fn a_pipeline_says_what_it_was_made_of() {
+    let camera = Camera::look_at(vec3(3.0, 2.0, 5.0), vec3(0.5, 0.0, -1.0), Vec3::Y).unwrap();
+    let volume = ViewVolume { left: -1.0, right: 1.5, bottom: -0.75, top: 1.0, near: -2.0, far: -20.0 };
+    let pipeline = Pipeline::new(camera, volume, 640, 480).unwrap();
+    assert_eq!((pipeline.width(), pipeline.height()), (640, 480));
+    assert_eq!((pipeline.camera(), pipeline.volume()), (camera, volume));
+}
+
+#[test]
 fn the_slides_order_of_matrices_misses_the_screen() {
     // E1: camera · perspective · scale · translate · viewport, as the slide prints them, read as one product.
     let camera = Camera::look_at(vec3(3.0, 2.0, 5.0), vec3(0.5, 0.0, -1.0), Vec3::Y).unwrap();

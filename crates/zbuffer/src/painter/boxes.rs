@@ -125,6 +125,21 @@ mod tests {
         found
     }
 
+    /// Two boxes of 2 × 2 × 2 whose centers are (5, 7, 0) and that plus the vector.
+    fn two_apart_by(x: f64, y: f64, z: f64) -> [(usize, Bounds); 2] {
+        [dvec3(5.0, 7.0, 0.0), dvec3(5.0 + x, 7.0 + y, z)].map(|p| (0, Bounds { min: p - 1.0, max: p + 1.0 }))
+    }
+
+    #[test]
+    fn boxes_are_divided_along_the_axis_on_which_they_lie_apart() {
+        assert_eq!(axis_to_divide(&two_apart_by(10.0, 1.0, 50.0)), 0);
+        assert_eq!(axis_to_divide(&two_apart_by(1.0, 10.0, 50.0)), 1);
+        assert_eq!(axis_to_divide(&two_apart_by(1.0, 1.5, 50.0)), 2, "they lie on top of each other");
+        // The borders: boxes that touch lie beside each other, and of two equal axes x is taken.
+        assert_eq!(axis_to_divide(&two_apart_by(2.0, 1.0, 50.0)), 0);
+        assert_eq!(axis_to_divide(&two_apart_by(6.0, 6.0, 50.0)), 0);
+    }
+
     #[test]
     fn a_search_finds_what_overlaps_and_reaches_behind_until_it_is_taken_out() {
         let bounds: Vec<_> = (0..20).map(|k| if k == 9 { None } else { column(k) }).collect();

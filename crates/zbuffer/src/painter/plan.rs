@@ -231,6 +231,19 @@ mod tests {
     }
 
     #[test]
+    fn a_division_pays_for_eight_candidates_and_the_root() {
+        // 9 comparisons for each of three parts: 27.
+        for (comparisons, is_spent) in [(27, true), (28, false)] {
+            let budget = Budget::new(comparisons);
+            let facet = |triangle| Arc::new(Facet::new(triangle).unwrap());
+            let cycle = three_polygon_cycle();
+            let parts = cycle.iter().enumerate().map(|(k, it)| Part::whole(k, facet(it))).collect();
+            Untangling { pieces: Vec::new(), splits: 0, budget: &budget }.divided(parts);
+            assert_eq!(budget.is_spent(), is_spent, "{comparisons}");
+        }
+    }
+
+    #[test]
     fn of_two_that_pierce_one_is_cut() {
         let ramp = triangle([[0.0, 0.0, 0.75], [12.0, 1.0, -0.5], [0.0, 9.0, 0.75]]);
         let flat = triangle([[-5.0, 3.0, 0.0], [12.0, 2.0, 0.0], [2.0, 5.0, 0.0]]);
