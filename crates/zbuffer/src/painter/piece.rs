@@ -160,6 +160,27 @@ mod tests {
         assert_eq!(nearer.span(columns.clone(), 2), 0..=8);
         assert_eq!(farther.span(columns, 2), 6..=12);
         assert!(farther.span(0..=5, 2).is_empty());
+        // The same where the row begins elsewhere.
+        assert_eq!((nearer.span(3..=12, 2), farther.span(3..=12, 2)), (3..=8, 6..=12));
         assert_eq!(Piece::whole(4).box_to_search(), None);
+    }
+
+    #[test]
+    fn a_span_keeps_every_pixel_where_rounding_alone_decides() {
+        // One plane, computed from two of its corners: the difference is nothing but rounding, of either sign in any pixel.
+        let [a, b, c] = [[1.0, 2.0, 700.3], [59.0, 7.0, -413.7], [23.0, 61.0, 951.1]];
+        let [ours, theirs] = [[a, b, c], [b, c, a]].map(|corners| Facet::new(&triangle(corners)).unwrap());
+        let line = Arc::new(CutLine { ours, theirs });
+        let mut between = 0;
+        for side in [Side::Nearer, Side::Farther] {
+            let piece = Piece::whole(4).cut(1, side, line.clone());
+            for j in 0..60 {
+                let kept: Vec<i64> = (0..60).filter(|i| piece.covers(*i, j)).map(i64::from).collect();
+                let span = piece.span(0..=59, j.into());
+                assert!(kept.iter().all(|i| span.contains(i)), "row {j}: {kept:?} are not all in {span:?}");
+                between += usize::from(!kept.is_empty() && !piece.covers(0, j) && !piece.covers(59, j));
+            }
+        }
+        assert!(between > 0, "in no row does a pixel belong to a piece that neither end belongs to");
     }
 }
