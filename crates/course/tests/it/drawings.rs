@@ -68,19 +68,20 @@ fn with_number(value: &Value, at: usize, number: f32) -> Value {
 
 /// One damage for each misconception, another one for the next; at night all of them for each.
 fn damages(number: usize) -> Vec<(f32, usize)> {
-    let all: Vec<(f32, usize)> = STRANGE.iter().flat_map(|strange| (0..16).map(|at| (*strange, at))).collect();
+    let all: Vec<(f32, usize)> =
+        STRANGE.iter().flat_map(|strange| (0..16).map(|at| (*strange, at))).collect();
     let one = vec![all[number * 7 % all.len()]];
     effort(one, all)
 }
 
 #[test]
 fn every_drawing_stands_for_every_misconception_and_for_damaged_answers() {
-    let all = course::all().iter().flat_map(|exercise| exercise.misconceptions.iter().map(move |m| (exercise, m)));
+    let all =
+        course::all().iter().flat_map(|exercise| exercise.misconceptions.iter().map(move |m| (exercise, m)));
     let numbered: Vec<_> = all.enumerate().collect();
     numbered.into_par_iter().for_each(|(number, (exercise, misconception))| {
         let wrong = InProcess(misconception.program.function);
-        let examination =
-            examine(exercise, 1, &mut wrong.clone()).unwrap_or_else(|fault| panic!("{fault}"));
+        let examination = examine(exercise, 1, &mut wrong.clone()).unwrap_or_else(|fault| panic!("{fault}"));
         let who = format!("{} by {}", exercise.name, misconception.program.name);
         if let Some(picture) = drawn(exercise, wrong, &examination, Value::clone) {
             assert_sound(&picture, &who);
