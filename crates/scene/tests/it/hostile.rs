@@ -12,7 +12,7 @@ const MATERIALS: &str = include_str!("../hostile/mesh.mtl");
 
 /// Number of mutilated files of each kind: a million in all at night.
 fn cases() -> u32 {
-    testkit::effort(300, 333_334)
+    testkit::effort(200, 333_334)
 }
 
 /// Words of the three formats, and pieces of them, in places where nobody expects them.
@@ -116,7 +116,8 @@ fn mutilate(victim: &'static str, entry: &'static str) {
         "{victim}: {errors} errors, {pictures} pictures, {undrawn} refused to be drawn, {large} too large"
     );
     // The reader is not blind, does not refuse everything, and what it lets pass can be drawn but for rare cases.
-    assert!(cases / 5 < errors && cases / 3 < pictures, "{errors} errors, {pictures} pictures");
+    // One file in nine survives as a scene and gives three pictures: a third of the cases, give or take what 200 of them vary.
+    assert!(cases / 5 < errors && cases / 4 < pictures, "{errors} errors, {pictures} pictures");
     assert!(undrawn + large < cases / 20, "{undrawn} refused to be drawn, {large} too large");
 }
 
