@@ -4,12 +4,17 @@ use course::diagnosis::diagnose;
 use course::trial::{Examination, Outcome, examine};
 use course::{Exercise, InProcess, Program};
 use rayon::prelude::*;
+use testkit::effort;
 
-/// So many seeds for every right solution.
-const SEEDS: u64 = 100;
+/// Number of seeds that every right solution is tried with.
+fn seeds_of_the_right() -> u64 {
+    effort(5, 1000)
+}
 
-/// So many seeds for every misconception: each must be found with the seed that a student has, whichever it is.
-const SEEDS_OF_THE_WRONG: u64 = 5;
+/// Number of seeds that every misconception is tried with: each must be found with the student's seed, whichever it is.
+fn seeds_of_the_wrong() -> u64 {
+    effort(1, 25)
+}
 
 fn trial(exercise: &Exercise, program: &Program, seed: u64) -> Examination {
     examine(exercise, seed, &mut InProcess(program.function))
@@ -89,7 +94,7 @@ fn names_are_unique_and_prerequisites_come_first() {
 fn every_right_solution_passes_with_every_seed() {
     course::all().par_iter().for_each(|exercise| {
         for program in [&exercise.reference].into_iter().chain(&exercise.variants) {
-            for seed in 0..SEEDS {
+            for seed in 0..seeds_of_the_right() {
                 let examination = trial(exercise, program, seed);
                 assert!(
                     examination.passed(),
@@ -108,7 +113,7 @@ fn every_right_solution_passes_with_every_seed() {
 fn mistaken(exercise: &Exercise) -> Vec<String> {
     let mut mistaken = Vec::new();
     for misconception in &exercise.misconceptions {
-        for seed in 0..SEEDS_OF_THE_WRONG {
+        for seed in 0..seeds_of_the_wrong() {
             let examination = trial(exercise, &misconception.program, seed);
             let who = format!("{} by {}, seed {seed}", exercise.name, misconception.program.name);
             let seen = diagnose(exercise, &examination.answered).map(|d| d.misconception.program.name);

@@ -23,12 +23,13 @@ fn every_figure_draws_over_the_ranges_of_its_parameters() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// The lecture's values, and each parameter at its ends and at the quarters between, with the others as they are.
+/// The lecture's values, and each parameter at its ends, at night also at the quarters between, with the others as they are.
 fn cases(figure: &'static Figure) -> Vec<Values> {
     let mut lecture = Values::of(figure);
     lecture.set_size(SIZE.0, SIZE.1).expect("a size for a figure");
+    let shares = testkit::effort(&[0.0, 1.0][..], &[0.0, 0.25, 0.5, 0.75, 1.0]);
     let others = figure.parameters.iter().flat_map(|parameter| {
-        [0.0, 0.25, 0.5, 0.75, 1.0].map(|share| {
+        shares.iter().map(|share| {
             let value = parameter.least + share * (parameter.greatest - parameter.least);
             let value = if parameter.whole { value.round() } else { value };
             let mut values = lecture.clone();

@@ -4,13 +4,14 @@ use std::io;
 
 use crate::desk::Desk;
 
-/// Long enough for a progress bar: millions of rays.
-const LONG: &str = "render glass-and-mirror --renderer raytrace --size 320x240 --samples 4";
+const RENDER: &str = "render glass-and-mirror --renderer raytrace --size 40x30";
 
 #[test]
 fn a_pipe_sees_no_progress_bar() {
-    let said = Desk::new().lab(LONG).done();
-    assert!(!said.out.contains(['\r', '\u{1b}', '%']), "{:?}", said.out);
+    let said = Desk::new().shell(&format!("LIGHTLAB_PROGRESS=always \"$LAB\" {RENDER} 2>&1"));
+    assert_eq!(said.code, Some(0), "{said:?}");
+    assert!(said.out.contains("40 × 30 pixels in"), "{said:?}");
+    assert!(!said.out.contains(['\r', '\u{1b}', '%']), "{said:?}");
 }
 
 #[test]
@@ -18,14 +19,16 @@ fn a_pipe_sees_no_progress_bar() {
 fn a_terminal_sees_a_progress_bar_that_goes_again() {
     let desk = Desk::new();
     // `script` gives the program a terminal; without a kind of terminal there is no bar.
-    let said = desk.shell(&format!("TERM=xterm script --quiet --return --command \"$LAB {LONG}\" /dev/null"));
+    let said = desk.shell(&format!(
+        "LIGHTLAB_PROGRESS=always TERM=xterm script --quiet --return --command \"$LAB {RENDER}\" /dev/null"
+    ));
     if said.code == Some(127) {
         eprintln!("skipped: there is no program `script` to make a terminal");
         return;
     }
     assert_eq!(said.code, Some(0), "{said:?}");
     let bar = said.out.find("raytrace  [").expect("a bar");
-    let result = said.out.rfind("320 × 240 pixels in").expect("a result");
+    let result = said.out.rfind("40 × 30 pixels in").expect("a result");
     assert!(bar < result);
     assert!(said.out[bar..result].contains("\u{1b}[2K"), "the line of the bar is cleared: {:?}", said.out);
     assert!(!said.out[result..].contains(['[', '%']), "no bar after the result: {:?}", said.out);

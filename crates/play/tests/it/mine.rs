@@ -181,15 +181,19 @@ fn a_loop_without_end_is_timed_out_and_the_next_save_is_drawn() {
 #[test]
 fn a_loop_in_one_exercise_does_not_hold_up_another() {
     let desk = Desk::new();
-    desk.write_lambert("loop { std::hint::spin_loop() }");
+    let begun = desk.folder.path().join("begun");
+    desk.write_lambert(&format!("std::fs::write({begun:?}, []).unwrap(); loop {{ std::hint::spin_loop() }}"));
     let other = exercise("reflection");
     desk.write(other, &other.submission(&other.reference).expect("its text"));
     // Both are compiled by now.
     desk.draw(other);
     desk.draw_lambert();
+    fs::remove_file(&begun).expect("the loop was called");
     std::thread::scope(|scope| {
         let hanging = scope.spawn(|| desk.draw_lambert());
-        std::thread::sleep(Duration::from_millis(200));
+        while !begun.exists() && !hanging.is_finished() {
+            std::thread::sleep(Duration::from_millis(1));
+        }
         assert_eq!(desk.draw(other)["state"], "drawn");
         assert!(!hanging.is_finished(), "it waited for the loop");
         assert_eq!(hanging.join().expect("an answer")["state"], "timed-out");

@@ -1,4 +1,4 @@
-//! A thousand mutilated files of each kind: each ends in an error or in pictures, none in a panic or a hang.
+//! Mutilated files of three kinds: each ends in an error or in pictures, none in a panic or a hang.
 
 use std::fs;
 use std::path::Path;
@@ -10,8 +10,10 @@ const SCENE: &str = include_str!("../hostile/scene.toml");
 const MESH: &str = include_str!("../hostile/mesh.obj");
 const MATERIALS: &str = include_str!("../hostile/mesh.mtl");
 
-/// Mutilated files of each kind.
-const CASES: u32 = 1000;
+/// Number of mutilated files of each kind: a million in all at night.
+fn cases() -> u32 {
+    testkit::effort(200, 333_334)
+}
 
 /// Words of the three formats, and pieces of them, in places where nobody expects them.
 const WORDS: &[&str] = &[
@@ -91,7 +93,7 @@ impl Tally {
     }
 }
 
-/// Mutilates the file `victim`, a thousand times, and reads `entry`.
+/// Mutilates the file `victim`, many times, and reads `entry`.
 fn mutilate(victim: &'static str, entry: &'static str) {
     let files = [("scene.toml", SCENE), ("mesh.obj", MESH), ("mesh.mtl", MATERIALS)];
     let folder = tempfile::tempdir().unwrap();
@@ -99,7 +101,8 @@ fn mutilate(victim: &'static str, entry: &'static str) {
         fs::write(folder.path().join(name), text).unwrap();
     }
     let good = files.into_iter().find(|(name, _)| *name == victim).unwrap().1;
-    let tallies = damage::none_hangs(CASES, move |case| {
+    let cases = cases();
+    let tallies = damage::none_hangs(cases, move |case| {
         let bytes = damage::text(good.as_bytes(), WORDS, &mut Random::new(case.into()));
         fs::write(folder.path().join(victim), bytes).unwrap();
         let mut tally = Tally::default();
@@ -113,22 +116,23 @@ fn mutilate(victim: &'static str, entry: &'static str) {
         "{victim}: {errors} errors, {pictures} pictures, {undrawn} refused to be drawn, {large} too large"
     );
     // The reader is not blind, does not refuse everything, and what it lets pass can be drawn but for rare cases.
-    assert!(CASES / 5 < errors && CASES / 3 < pictures, "{errors} errors, {pictures} pictures");
-    assert!(undrawn + large < CASES / 20, "{undrawn} refused to be drawn, {large} too large");
+    // One file in nine survives as a scene and gives three pictures: a third of the cases, give or take what 200 of them vary.
+    assert!(cases / 5 < errors && cases / 4 < pictures, "{errors} errors, {pictures} pictures");
+    assert!(undrawn + large < cases / 20, "{undrawn} refused to be drawn, {large} too large");
 }
 
 #[test]
-fn a_thousand_mutilated_scene_files_end_in_an_error_or_a_picture() {
+fn mutilated_scene_files_end_in_an_error_or_a_picture() {
     mutilate("scene.toml", "scene.toml");
 }
 
 #[test]
-fn a_thousand_mutilated_obj_files_end_in_an_error_or_a_picture() {
+fn mutilated_obj_files_end_in_an_error_or_a_picture() {
     mutilate("mesh.obj", "mesh.obj");
 }
 
 #[test]
-fn a_thousand_mutilated_mtl_files_end_in_an_error_or_a_picture() {
+fn mutilated_mtl_files_end_in_an_error_or_a_picture() {
     mutilate("mesh.mtl", "mesh.obj");
 }
 

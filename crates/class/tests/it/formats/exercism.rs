@@ -4,8 +4,8 @@ use class::format::Format;
 use class::results::Outcome;
 use serde::Deserialize;
 
-use crate::made_up::{hostile, outline, submission, without_answer};
 use crate::formats::{laws, submissions, written};
+use crate::made_up::{hostile, outline, submission, without_answer};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]

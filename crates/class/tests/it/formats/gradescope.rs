@@ -3,8 +3,8 @@
 use class::format::Format;
 use serde::Deserialize;
 
-use crate::made_up::perfect;
 use crate::formats::{laws, submissions, written};
+use crate::made_up::perfect;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]

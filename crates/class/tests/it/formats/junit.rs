@@ -3,8 +3,8 @@
 use class::format::Format;
 use roxmltree::{Document, Node};
 
-use crate::made_up::hostile;
 use crate::formats::{laws, submissions, written};
+use crate::made_up::hostile;
 
 fn elements<'a, 'i>(node: Node<'a, 'i>) -> Vec<Node<'a, 'i>> {
     node.children().filter(Node::is_element).collect()

@@ -8,9 +8,9 @@ mod gradescope;
 mod junit;
 mod prairielearn;
 
+use crate::made_up::{SECRET, absent, hostile, outline, perfect};
 use class::format::{Format, NoFormat};
 use class::results::{LawResult, Submission};
-use crate::made_up::{SECRET, absent, hostile, outline, perfect};
 
 /// Submissions of every kind.
 fn submissions() -> Vec<Submission> {

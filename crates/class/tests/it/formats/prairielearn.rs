@@ -6,8 +6,8 @@ use class::format::Format;
 use class::results::Outcome;
 use serde::Deserialize;
 
-use crate::made_up::{JUDGED, hostile, perfect, submission, without_answer};
 use crate::formats::{laws, submissions, written};
+use crate::made_up::{JUDGED, hostile, perfect, submission, without_answer};
 
 /// A longer file is refused.
 const MOST: usize = 1_000_000;

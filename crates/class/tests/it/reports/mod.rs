@@ -4,10 +4,10 @@ mod class_page;
 mod csv;
 mod feedback;
 
+use crate::made_up::{SECRET, class, everyone, hostile, outline, perfect};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use class::report::{class_page, feedback_markdown, feedback_page, grades_csv};
-use crate::made_up::{SECRET, class, everyone, hostile, outline, perfect};
 use sha2::{Digest, Sha256};
 
 /// Pages that hold the hostile student's strings.

@@ -2,8 +2,8 @@
 
 use std::fs;
 
-use crate::hostile::assert_refused;
 use crate::bench::{Bench, root};
+use crate::hostile::assert_refused;
 
 /// The path of something that is there, as Rust writes it.
 fn quoted(path: &std::path::Path) -> String {
