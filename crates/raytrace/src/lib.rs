@@ -33,7 +33,7 @@ pub mod triangle;
 pub mod viewing;
 pub mod world;
 
-pub use color::{local_color, ray_color};
+pub use color::{LEAST_SHARE, local_color, ray_color};
 pub use geometry::Ray;
 pub use mesh::TracedMesh;
 pub use object::{Object, ObjectError, Shape};

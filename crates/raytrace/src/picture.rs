@@ -18,7 +18,7 @@ pub struct Settings {
     pub samples: u32,
     /// Whether shadow rays are sent (L56).
     pub shadows: bool,
-    /// How many mirrors and glass surfaces may follow one another (L58).
+    /// How many mirrors and surfaces that light passes may follow one another (L58).
     pub max_depth: u32,
     /// How hits are searched.
     pub search: Search,
