@@ -35,7 +35,7 @@ use ::image::{
 use thiserror::Error;
 
 use crate::exr_header::{self, Claims};
-use crate::{Image, Rgb, srgb};
+use crate::{Image, Rgb, exr_luminance, srgb};
 
 /// The most pixels that [`decode`] accepts, 8192 × 8192: about 800 MB as an [`Image`]. A file of a few bytes can claim
 /// any size, so there has to be an end; [`encode`] has none.
@@ -155,16 +155,33 @@ pub fn encode(image: &Image, format: Format) -> Result<Vec<u8>, CodecError> {
     Ok(file.into_inner())
 }
 
-/// The image that a PNG (grey, RGB, palette; 1 to 16 bits; with or without alpha) or OpenEXR file (RGB or RGBA) shows.
-/// The format is known by the content, not by a name.
+/// The image that a PNG (gray, RGB, palette; 1 to 16 bits; with or without alpha) or OpenEXR file (RGB or luminance, with or
+/// without alpha) shows. The format is known by the content, not by a name.
 ///
-/// Transparent pixels show black behind them: PNG stores colour and alpha apart, so the light is multiplied by alpha;
+/// Transparent pixels show black behind them: PNG stores color and alpha apart, so the light is multiplied by alpha;
 /// OpenEXR stores the product.
 ///
 /// # Errors
 /// [`CodecError::UnknownContent`], [`CodecError::TooLarge`], [`CodecError::Unreadable`]; hostile bytes too end in one
 /// of them.
 pub fn decode(bytes: &[u8]) -> Result<Image, CodecError> {
+    decode_with_alpha(bytes).map(|decoded| decoded.image)
+}
+
+/// What a file holds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Decoded {
+    /// The picture with black behind transparent pixels.
+    pub image: Image,
+    /// The opacity of each pixel, 0 to 1, rows from the top down as in [`Image::pixels`]; `None` if the file has none.
+    pub alpha: Option<Vec<f32>>,
+}
+
+/// The same image as [`decode`] gives, and the opacity of its pixels.
+///
+/// # Errors
+/// As [`decode`].
+pub fn decode_with_alpha(bytes: &[u8]) -> Result<Decoded, CodecError> {
     let format = match ::image::guess_format(bytes) {
         Ok(format @ (ImageFormat::Png | ImageFormat::OpenExr)) => format,
         _ => return Err(CodecError::UnknownContent),
@@ -192,7 +209,10 @@ fn check_claims(exr: &[u8]) -> Result<(), CodecError> {
     Err(CodecError::Unreadable { reason })
 }
 
-fn read(bytes: &[u8], format: ImageFormat) -> Result<Image, CodecError> {
+fn read(bytes: &[u8], format: ImageFormat) -> Result<Decoded, CodecError> {
+    if format == ImageFormat::OpenExr && exr_luminance::is_luminance(bytes) {
+        return exr_luminance::read(bytes);
+    }
     let unreadable = |error: ::image::ImageError| CodecError::Unreadable { reason: error.to_string() };
     let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
     let mut limits = Limits::no_limits();
@@ -200,38 +220,49 @@ fn read(bytes: &[u8], format: ImageFormat) -> Result<Image, CodecError> {
     reader.limits(limits);
     let decoder = reader.into_decoder().map_err(unreadable)?;
     let (width, height) = decoder.dimensions();
+    check_size(width, height)?;
+    let file = DynamicImage::from_decoder(decoder).map_err(unreadable)?;
+    let has_alpha = file.color().has_alpha();
+    let (pixels, alpha) = light_of(file);
+    let image = Image::from_rows(width, height, pixels).expect("one pixel for each place");
+    Ok(Decoded { image, alpha: has_alpha.then_some(alpha) })
+}
+
+/// Refuses a picture of more than [`MOST_PIXELS`].
+pub(crate) fn check_size(width: u32, height: u32) -> Result<(), CodecError> {
     if u64::from(width) * u64::from(height) > MOST_PIXELS {
         return Err(CodecError::TooLarge { width, height });
     }
-    let pixels = light_of(DynamicImage::from_decoder(decoder).map_err(unreadable)?);
-    Ok(Image::from_rows(width, height, pixels).expect("one pixel for each place"))
+    Ok(())
 }
 
-/// The light of each pixel, rows from the top down.
-fn light_of(file: DynamicImage) -> Vec<Rgb> {
+/// The light and the opacity of each pixel, rows from the top down.
+fn light_of(file: DynamicImage) -> (Vec<Rgb>, Vec<f32>) {
     match file {
         DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => {
-            file.into_rgb32f().pixels().map(|pixel| Rgb::from(pixel.0)).collect()
+            let pixels = file.into_rgba32f();
+            pixels.pixels().map(|pixel| (Rgb::new(pixel.0[0], pixel.0[1], pixel.0[2]), pixel.0[3])).unzip()
         }
         DynamicImage::ImageLuma16(_)
         | DynamicImage::ImageLumaA16(_)
         | DynamicImage::ImageRgb16(_)
         | DynamicImage::ImageRgba16(_) => {
             let light: Vec<f32> = (0..=u16::MAX).map(srgb::from_u16).collect();
-            file.into_rgba16().pixels().map(|pixel| over_black(pixel.0, &light)).collect()
+            file.into_rgba16().pixels().map(|pixel| over_black(pixel.0, &light)).unzip()
         }
         _ => {
             let light: Vec<f32> = (0..=u8::MAX).map(srgb::from_u8).collect();
-            file.into_rgba8().pixels().map(|pixel| over_black(pixel.0, &light)).collect()
+            file.into_rgba8().pixels().map(|pixel| over_black(pixel.0, &light)).unzip()
         }
     }
 }
 
-/// The light of a pixel (red, green, blue, alpha) with black behind it; `light` is that of each step.
-fn over_black<Step: Into<usize>>([r, g, b, alpha]: [Step; 4], light: &[f32]) -> Rgb {
+/// The light of a pixel (red, green, blue, alpha) with black behind it, and its opacity; `light` is that of each step.
+fn over_black<Step: Into<usize>>([r, g, b, alpha]: [Step; 4], light: &[f32]) -> (Rgb, f32) {
     let last_step = (light.len() - 1) as f32;
     let alpha: usize = alpha.into();
-    Rgb::from([r, g, b].map(|step| light[step.into()])) * (alpha as f32 / last_step)
+    let alpha = alpha as f32 / last_step;
+    (Rgb::from([r, g, b].map(|step| light[step.into()])) * alpha, alpha)
 }
 
 /// Fast compression: rendered pictures shrink well enough, and saving does not outlast rendering.

@@ -24,8 +24,10 @@ pub struct SizeMismatch {
 /// How much two pictures differ, from [`difference`]. All differences are encoded (sRGB), in [0, 1].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
-    /// The number of pixels that differ by more than the threshold.
+    /// The number of pixels that differ by more than the threshold, and of those with a NaN: a NaN is within no threshold.
     pub over_threshold: usize,
+    /// The number of pixels that are NaN in either picture.
+    pub not_a_number: usize,
     /// The greatest difference of any pixel; 0 if there are no pixels.
     pub greatest: f32,
     /// The pixel (i, j), j upwards, that differs most; of several, the first in reading order. `None` if none differs.
@@ -43,7 +45,7 @@ pub struct Difference {
 /// A pixel's difference is the greatest, over its channels, of |encode(a) − encode(b)| ([`srgb::encode`]). A NaN in
 /// either picture counts as the greatest difference, 1, even where the other has it too: a NaN is never right.
 ///
-/// - `threshold`: in [0, 1]; a pixel is counted if its difference is greater.
+/// - `threshold`: in [0, 1]; a pixel is counted if its difference is greater, or if it has a NaN, whatever the threshold.
 ///
 /// ```
 /// use canvas::{Image, Rgb, difference, srgb};
@@ -66,12 +68,16 @@ pub fn difference(a: &Image, b: &Image, threshold: f32) -> Result<Difference, Si
     let per_pixel: Vec<f32> =
         a.pixels().iter().zip(b.pixels()).map(|(a, b)| visible_difference(*a, *b)).collect();
 
+    let is_nan = |(a, b): (&Rgb, &Rgb)| a.is_nan() || b.is_nan();
+    let nan: Vec<bool> = a.pixels().iter().zip(b.pixels()).map(is_nan).collect();
+
     let greatest = per_pixel.iter().copied().fold(0.0, f32::max);
     let first_greatest = per_pixel.iter().position(|d| greatest > 0.0 && *d == greatest);
     // In f64: a long sum of f32 would lose its small terms.
     let sum: f64 = per_pixel.iter().copied().map(f64::from).sum();
     Ok(Difference {
-        over_threshold: per_pixel.iter().filter(|d| **d > threshold).count(),
+        over_threshold: per_pixel.iter().zip(&nan).filter(|(d, nan)| **nan || **d > threshold).count(),
+        not_a_number: nan.iter().filter(|nan| **nan).count(),
         greatest,
         greatest_at: first_greatest.map(|place| pixel_at(place, width, height)),
         mean: (sum / per_pixel.len().max(1) as f64) as f32,
@@ -203,9 +209,10 @@ mod tests {
     fn nan_is_the_greatest_difference_also_against_itself() {
         let mut a = [Rgb::splat(0.3); 6];
         a[4].y = f32::NAN;
-        for b in [a, [Rgb::splat(0.3); 6]] {
-            let found = differ(a, b, 0.5);
-            assert_eq!((found.over_threshold, found.greatest, found.greatest_at), (1, 1.0, Some((1, 0))));
+        for (b, threshold) in [(a, 0.5), ([Rgb::splat(0.3); 6], 0.5), (a, 1.0), ([Rgb::splat(0.3); 6], 2.0)] {
+            let found = differ(a, b, threshold);
+            assert_eq!((found.over_threshold, found.not_a_number), (1, 1), "no tolerance is wide enough");
+            assert_eq!((found.greatest, found.greatest_at), (1.0, Some((1, 0))));
             assert!((found.mean - 1.0 / 6.0).abs() < 1e-6);
         }
     }

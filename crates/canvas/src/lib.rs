@@ -17,6 +17,7 @@ pub mod codec;
 pub mod compare;
 pub mod depth;
 mod exr_header;
+mod exr_luminance;
 mod heat;
 pub mod image;
 pub mod srgb;

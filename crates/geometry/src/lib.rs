@@ -5,10 +5,11 @@
 //! - [`Mesh`]: many triangles that share their vertices; [`Aabb`]: the box around them.
 //! - [`Sphere`] and [`Plane`]: the exact surfaces beside the triangles.
 //! - [`shapes`]: UV sphere, icosphere, box, torus, disc and the Utah teapot, at any subdivision level.
+//! - [`polygon`]: polygons of any shape, cut into triangles.
 //! - [`obj`]: Wavefront OBJ and MTL text to meshes and materials.
 //!
 //! All coordinates are right-handed; a triangle's front is the side from which its corners run anticlockwise.
-//! Nothing here knows of cameras, colours or files: text comes in, meshes go out.
+//! Nothing here knows of cameras, colors or files: text comes in, meshes go out.
 //!
 //! Read [`triangle`] first, then [`mesh`], then [`shapes`].
 
@@ -18,6 +19,7 @@ pub mod aabb;
 pub mod mesh;
 pub mod obj;
 pub mod plane;
+pub mod polygon;
 pub mod ray;
 pub mod shapes;
 pub mod sphere;

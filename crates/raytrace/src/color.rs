@@ -1,4 +1,4 @@
-//! What colour does a ray see? The slide's `raycolor` (L57), and what it grows into with mirrors and glass (L58).
+//! What color does a ray see? The slide's `raycolor` (L57), and what it grows into with mirrors and glass (L58).
 
 use canvas::Rgb;
 use geometry::Ray;
@@ -47,19 +47,31 @@ pub fn local_color(world: &World, ray: &Ray, t0: f32, t1: f32) -> Rgb {
 /// mirrors reflect and what glass reflects and lets through.
 ///
 /// - The ray counts hits with t0 < t < t1; the rays that it gives rise to, from 0 to infinity.
-/// - `settings.max_depth`: how many mirrors and glass surfaces may follow one another. A ray beyond that sees the
-///   background, as if it left the scene; so does a ray that hits nothing.
+/// - `settings.max_depth`: how many mirrors, glass and half-transparent surfaces may follow one another. A ray beyond
+///   that sees the background, as if it left the scene; so does a ray that hits nothing, and one that can add no more
+///   than [`LEAST_SHARE`] of what it sees.
 /// - Glass lit from inside shows no highlight: local light counts only where a ray meets the front.
 /// - Result: linear RGB, not clamped (E8).
 #[must_use]
 pub fn ray_color(world: &World, ray: &Ray, t0: f32, t1: f32, settings: &Settings) -> Rgb {
+    color_of_share(world, ray, (t0, t1), 1.0, settings)
+}
+
+/// Share of a pixel's light below which a ray is not followed: 1/1024 of a step of an 8-bit file.
+///
+/// Glass splits each ray in two, so that n surfaces ask for up to 2ⁿ rays; all but a few of them carry next to nothing.
+pub const LEAST_SHARE: f32 = 1.0 / (1024.0 * 255.0);
+
+/// [`ray_color`] of a ray of which only `share` reaches the eye.
+fn color_of_share(world: &World, ray: &Ray, (t0, t1): (f32, f32), share: f32, settings: &Settings) -> Rgb {
     let hit = match settings.search {
         Search::Hierarchy => nearest(world, ray, t0, t1),
         Search::BruteForce => nearest_brute(world, ray, t0, t1),
     };
     let Some(hit) = hit else { return world.background };
     let local = if shows_light(world, ray, &hit) { light_on(world, ray, &hit, settings) } else { Rgb::ZERO };
-    with_optics(world, ray, &hit, local, settings)
+    let cast = Cast { world, ray, settings, share };
+    with_optics(&cast, &hit, local)
 }
 
 /// Whether light on the surface counts: glass lit from inside shows none.
@@ -68,14 +80,24 @@ pub fn shows_light(world: &World, ray: &Ray, hit: &Hit) -> bool {
     !matches!(world.surface(hit).optics, Optics::Glass { .. }) || hit.is_front(ray)
 }
 
-/// The local light, plus what a mirror reflects, or glass reflects and lets through.
-pub(crate) fn with_optics(world: &World, ray: &Ray, hit: &Hit, local: Rgb, settings: &Settings) -> Rgb {
-    match world.surface(hit).optics {
+/// A ray that met a surface, and how much it counts.
+pub(crate) struct Cast<'a> {
+    pub(crate) world: &'a World,
+    pub(crate) ray: &'a Ray,
+    pub(crate) settings: &'a Settings,
+    /// Share of what the ray sees that reaches the eye, 0 to 1; of the color channels, the largest.
+    pub(crate) share: f32,
+}
+
+/// The local light, plus what a mirror reflects, glass reflects and lets through, or lies behind what is half transparent.
+pub(crate) fn with_optics(cast: &Cast<'_>, hit: &Hit, local: Rgb) -> Rgb {
+    match cast.world.surface(hit).optics {
         Optics::Opaque => local,
-        Optics::Mirror { reflectance } => local + reflectance * reflected_color(world, ray, hit, settings),
+        Optics::Mirror { reflectance } => local + reflectance * reflected_color(cast, hit, reflectance),
         Optics::Glass { refractive_index, transmittance } => {
-            local + glass_color(world, ray, hit, (refractive_index, transmittance), settings)
+            local + glass_color(cast, hit, (refractive_index, transmittance))
         }
+        Optics::Dissolved { opacity } => opacity * local + (1.0 - opacity) * color_behind(cast, hit, opacity),
     }
 }
 
@@ -164,42 +186,55 @@ fn lighting_points(world: &World, ray: &Ray, hit: &Hit) -> ([(SurfacePoint, f32)
     }
 }
 
-/// What a mirror shows: the colour that the reflected ray sees.
-fn reflected_color(world: &World, ray: &Ray, hit: &Hit, settings: &Settings) -> Rgb {
+/// What a mirror shows: the color that the reflected ray sees, of which `share` is used.
+fn reflected_color(cast: &Cast<'_>, hit: &Hit, share: Rgb) -> Rgb {
+    let ray = cast.ray;
     let n = hit.normal_towards(ray);
     let d = ray.direction.normalize_or(-n);
-    let direction = mirrored(d, shading_normal_towards(world, ray, hit));
+    let direction = mirrored(d, shading_normal_towards(cast.world, ray, hit));
     // A smooth normal can mirror the ray into the flat face; then the face's own normal does it.
     let direction = if direction.dot(n) > 0.0 { direction } else { mirrored(d, n) };
-    follow(world, Ray::new(hit.point + hit.clearance * n, direction), settings)
+    follow(cast, Ray::new(hit.point + hit.clearance * n, direction), share)
 }
 
 /// What glass shows: by Fresnel's share the reflected ray, for the rest the refracted one.
 ///
 /// A ray enters where it meets the front and leaves where it meets the back; the surface's own geometry decides that, the
 /// smooth normal only bends.
-fn glass_color(world: &World, ray: &Ray, hit: &Hit, glass: (f32, Rgb), settings: &Settings) -> Rgb {
-    let (index, transmittance) = glass;
+fn glass_color(cast: &Cast<'_>, hit: &Hit, glass: (f32, Rgb)) -> Rgb {
+    let ((index, transmittance), ray) = (glass, cast.ray);
     let ratio = if hit.is_front(ray) { index.recip() } else { index };
     let n_face = hit.normal_towards(ray);
     let d = ray.direction.normalize_or(-n_face);
-    let smooth = shading_normal_towards(world, ray, hit);
+    let smooth = shading_normal_towards(cast.world, ray, hit);
     let n = if smooth.dot(d) < 0.0 { smooth } else { n_face };
 
     let share = fresnel(-d.dot(n), ratio);
     let behind = refracted(d, n, ratio).filter(|direction| direction.dot(n_face) < 0.0);
     let Some(direction) = behind else {
-        return reflected_color(world, ray, hit, settings);
+        return reflected_color(cast, hit, Rgb::ONE);
     };
     let start = hit.point - hit.clearance * n_face;
-    let passed = transmittance * follow(world, Ray::new(start, direction), settings);
-    share * reflected_color(world, ray, hit, settings) + (1.0 - share) * passed
+    let passing = (1.0 - share) * transmittance;
+    let passed = transmittance * follow(cast, Ray::new(start, direction), passing);
+    share * reflected_color(cast, hit, Rgb::splat(share)) + (1.0 - share) * passed
 }
 
-/// The colour that a ray of the next generation sees; the background when there may be none.
-fn follow(world: &World, ray: Ray, settings: &Settings) -> Rgb {
-    match settings.max_depth.checked_sub(1) {
-        None => world.background,
-        Some(max_depth) => ray_color(world, &ray, 0.0, f32::INFINITY, &Settings { max_depth, ..*settings }),
+/// What lies behind a half-transparent surface: the color that the ray sees when it goes straight on.
+fn color_behind(cast: &Cast<'_>, hit: &Hit, opacity: f32) -> Rgb {
+    let start = hit.point - hit.clearance * hit.normal_towards(cast.ray);
+    follow(cast, Ray::new(start, cast.ray.direction), Rgb::splat(1.0 - opacity))
+}
+
+/// The color that a ray of the next generation sees, of which the caller uses `share`; the background when there may be no
+/// such ray or when it would count for too little.
+fn follow(cast: &Cast<'_>, ray: Ray, share: Rgb) -> Rgb {
+    let share = cast.share * share.max_element();
+    match cast.settings.max_depth.checked_sub(1) {
+        Some(max_depth) if share >= LEAST_SHARE => {
+            let settings = Settings { max_depth, ..*cast.settings };
+            color_of_share(cast.world, &ray, (0.0, f32::INFINITY), share, &settings)
+        }
+        _ => cast.world.background,
     }
 }

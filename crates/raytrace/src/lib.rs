@@ -33,11 +33,11 @@ pub mod triangle;
 pub mod viewing;
 pub mod world;
 
-pub use color::{local_color, ray_color};
+pub use color::{LEAST_SHARE, local_color, ray_color};
 pub use geometry::Ray;
 pub use mesh::TracedMesh;
 pub use object::{Object, ObjectError, Shape};
-pub use picture::{Settings, pick, render, render_rows, visible, visible_brute};
+pub use picture::{Settings, covers_anything, pick, render, render_rows, visible, visible_brute};
 pub use query::{Hit, Met, Search, all_met, any_hit, any_hit_brute, nearest, nearest_brute};
 pub use surface::{Optics, Surface};
 pub use viewing::{viewing_ray, visible_interval};

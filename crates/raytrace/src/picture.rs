@@ -18,7 +18,7 @@ pub struct Settings {
     pub samples: u32,
     /// Whether shadow rays are sent (L56).
     pub shadows: bool,
-    /// How many mirrors and glass surfaces may follow one another (L58).
+    /// How many mirrors and surfaces that light passes may follow one another (L58).
     pub max_depth: u32,
     /// How hits are searched.
     pub search: Search,
@@ -146,6 +146,20 @@ fn visible_by(world: &World, pipeline: &Pipeline, find: Find) -> Vec<Option<Hit>
         }
     });
     hits
+}
+
+/// Whether any ray of the picture that [`render`] makes hits anything: if not, it is all background.
+///
+/// - `samples`: n × n rays a pixel, as in [`Settings::samples`].
+#[must_use]
+pub fn covers_anything(world: &World, pipeline: &Pipeline, samples: u32) -> bool {
+    let (t0, t1) = visible_interval(&pipeline.volume());
+    let parts = || (0..samples).map(|k| part(k, samples));
+    let is_hit = |i: f32, j: f32| nearest(world, &viewing_ray(pipeline, i, j), t0, t1).is_some();
+    (0..pipeline.height()).into_par_iter().any(|j| {
+        (0..pipeline.width())
+            .any(|i| parts().any(|dj| parts().any(|di| is_hit(i as f32 + di, j as f32 + dj))))
+    })
 }
 
 /// What lies under the point (i, j) of the screen, the mouse pointer say (L44): the nearest hit in the viewing volume.

@@ -46,7 +46,7 @@ pub fn is_lit(world: &World, ray: &Ray, hit: &Hit, light: &Illumination) -> bool
 }
 
 /// The share of the light that reaches the hit, linear RGB: 0 behind an opaque surface or a mirror, and behind glass the
-/// product of the transmittances of all its surfaces on the way.
+/// product of the transmittances of all its surfaces on the way. A half-transparent surface lets 1 − opacity through.
 ///
 /// The way is straight: light that glass bends and gathers (a caustic) is beyond this model, as is what glass reflects.
 #[must_use]
@@ -64,10 +64,11 @@ pub fn light_share(world: &World, ray: &Ray, hit: &Hit, light: &Illumination, se
         Search::Hierarchy => nearest(world, &shadow_ray, t0, light.distance),
         Search::BruteForce => nearest_brute(world, &shadow_ray, t0, light.distance),
     } {
-        let Optics::Glass { transmittance, .. } = world.surface(&between).optics else {
-            return Rgb::ZERO;
+        share *= match world.surface(&between).optics {
+            Optics::Glass { transmittance, .. } => transmittance,
+            Optics::Dissolved { opacity } => Rgb::splat(1.0 - opacity),
+            Optics::Opaque | Optics::Mirror { .. } => return Rgb::ZERO,
         };
-        share *= transmittance;
         t0 = between.t;
     }
     share

@@ -25,6 +25,13 @@ pub enum Optics {
         /// surface, so twice for a ball, and not by the length of the way inside.
         transmittance: Rgb,
     },
+    /// Half transparent: own light and what lies straight behind are mixed. Nothing is bent or reflected, and both sides of
+    /// the surface look alike.
+    Dissolved {
+        /// The share of its own light, 0 to 1: opacity · own + (1 − opacity) · behind. 1 is opaque. Of the light on its way to
+        /// other surfaces it lets 1 − opacity through.
+        opacity: f32,
+    },
 }
 
 /// What a surface is made of.

@@ -73,7 +73,8 @@ impl World {
         let unbounded =
             (0..objects.len()).filter(|k| objects[*k].bounds().is_none()).map(|k| k as u32).collect();
         let whole = boxes.iter().fold(Aabb::EMPTY, |whole, own| whole.union(*own));
-        let is_glass = |surface: &Surface| matches!(surface.optics, Optics::Glass { .. });
+        let is_glass =
+            |surface: &Surface| matches!(surface.optics, Optics::Glass { .. } | Optics::Dissolved { .. });
         let has_glass = objects.iter().flat_map(Object::surfaces).any(is_glass);
         Self {
             tree: Tree::new(&boxes),
@@ -120,7 +121,7 @@ impl World {
         hit.weights.interpolate(n0, n1, n2).try_normalize().unwrap_or(hit.normal)
     }
 
-    /// Whether any surface is glass: else a shadow ray need not know what it meets.
+    /// Whether any surface is glass or half transparent: else a shadow ray need not know what it meets.
     pub(crate) fn has_glass(&self) -> bool {
         self.has_glass
     }

@@ -28,11 +28,15 @@ pub const MOST_COPIES: u64 = 100_000;
 /// and (10^9)^4 = 10^36 still fits in `f32`.
 pub const GREATEST_COORDINATE: f32 = 1e9;
 
+/// Distance from the origin, in sizes of the object, from which on f32 positions leave its shape less than 12 of their 24
+/// bits: at a size of 1 from 4096 on. Then the renderers' pictures begin to differ, and [`crate::Prepared::warnings`] says so.
+pub const FAR_IN_SIZES: f32 = 4096.0;
+
 /// The least length or factor, but for 0: the inverse of [`GREATEST_COORDINATE`], for the same reason.
 pub const LEAST_LENGTH: f32 = 1e-9;
 
-/// The greatest exponent of a highlight: it is then a thousandth of a degree wide.
-pub const GREATEST_EXPONENT: f32 = 1e9;
+/// The greatest exponent of a highlight: [`lighting::highlight::GREATEST_EXPONENT`].
+pub const GREATEST_EXPONENT: f32 = lighting::highlight::GREATEST_EXPONENT;
 
 /// The greatest refractive index: twice that of anything clear. (Diamond has 2.4, germanium in infrared light 4.)
 pub const GREATEST_REFRACTIVE_INDEX: f32 = 10.0;

@@ -10,6 +10,7 @@ use geometry::obj::{self, Import, ObjError};
 use crate::SceneError;
 use crate::frame::framed;
 use crate::limits::{MOST_MESH_BYTES, MOST_SCENE_BYTES};
+use crate::mtl::exponent_warning;
 use crate::parse::{Source, parse};
 use crate::scene::Scene;
 
@@ -21,7 +22,7 @@ pub(crate) type Imports = BTreeMap<String, Arc<Import>>;
 pub struct Loaded {
     /// What the file says. Change it before [`crate::prepare()`] if you like; the settings are in it.
     pub scene: Scene,
-    /// What was wrong but could be borne: a missing MTL file, say. One sentence each.
+    /// What was wrong but could be tolerated: a missing MTL file, say. One sentence each.
     pub warnings: Vec<String>,
     pub(crate) imports: Imports,
 }
@@ -58,7 +59,7 @@ impl Loaded {
     pub fn from_toml(text: &str, file: &str, folder: &Path) -> Result<Self, SceneError> {
         let parsed = parse(text, file)?;
         let source = Source { file, text };
-        let mut loaded = Self { scene: parsed.scene, warnings: Vec::new(), imports: Imports::new() };
+        let mut loaded = Self { scene: parsed.scene, warnings: parsed.warnings, imports: Imports::new() };
         for (name, span) in &parsed.obj_paths {
             if !loaded.imports.contains_key(name) {
                 let path = folder.join(name);
@@ -86,15 +87,10 @@ impl Loaded {
 fn import(path: &Path, bytes: &[u8], warnings: &mut Vec<String>) -> Result<Arc<Import>, SceneError> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut load_mtl = |mtl: &str| read(&folder.join(mtl), MOST_MESH_BYTES);
-    let mut import = obj::parse(bytes, &path.display().to_string(), &mut load_mtl)?;
+    let import = obj::parse(bytes, &path.display().to_string(), &mut load_mtl)?;
     warnings.extend(import.warnings.iter().map(ToString::to_string));
-    if import.mesh.has_face_normals_only() {
-        warnings.push(format!(
-            "{}: the file gives each face one normal, which makes nothing smooth; vertex normals are computed instead",
-            path.display()
-        ));
-        import.mesh = import.mesh.without_normals();
-    }
+    let exponents = exponent_warning(&import.materials);
+    warnings.extend(exponents.map(|warning| format!("{}: {warning}", path.display())));
     Ok(Arc::new(import))
 }
 

@@ -12,40 +12,60 @@ use crate::limits::{GREATEST_EXPONENT, GREATEST_REFRACTIVE_INDEX};
 /// |---|---|
 /// | `Kd` | diffuse, at most 1 |
 /// | `Ks` | specular, at most 1; 0 for `illum` 0 and 1, which have no highlight |
-/// | `Ns` | exponent of the halfway form (L34) |
-/// | `illum` 3, 5, 8 | mirror that reflects `Ks` |
-/// | `illum` 4, 6, 7, 9, or `d` < 1 | glass of index `Ni` that lets 1 − `d` through (all of it for d = 1) |
-/// | `Ka` | left out: ambient light multiplies the diffuse colour (L28) |
+/// | `Ns` | exponent of the halfway form (L34), at most [`GREATEST_EXPONENT`] |
+/// | `illum` 3, 5, 8 with `d` = 1 | mirror that reflects `Ks` |
+/// | `illum` 4, 6, 7, 9 | glass of index `Ni`; with `d` < 1 it shows `d` of its own light and lets 1 − `d` through, without all of both |
+/// | `d` < 1 with any other `illum` | half transparent, `d` · own + (1 − `d`) · what lies straight behind; 0 is invisible, `Ni` bends nothing |
+/// | `Ka` | left out: ambient light multiplies the diffuse color (L28) |
 pub(crate) fn surface_of(mtl: &ObjMaterial) -> Surface {
+    let (material, optics) = (material_of(mtl), optics_of(mtl));
+    let own = if matches!(optics, Optics::Glass { .. }) { dissolve(mtl).unwrap_or(1.0) } else { 1.0 };
+    let material =
+        Material { diffuse: own * material.diffuse, specular: own * material.specular, ..material };
+    Surface { material, optics }
+}
+
+/// The material as rasterizers draw it: opaque, so with all of its own light.
+pub(crate) fn material_of(mtl: &ObjMaterial) -> Material {
     let default = Material::default();
     let has_highlight = !matches!(mtl.illumination_model, Some(0 | 1));
     let specular = if has_highlight { mtl.specular.unwrap_or(default.specular) } else { Rgb::ZERO };
-    let material = Material {
+    Material {
         diffuse: share(mtl.diffuse.unwrap_or(default.diffuse)),
         specular: share(specular),
         exponent: mtl.exponent.unwrap_or(default.exponent).clamp(0.0, GREATEST_EXPONENT),
-    };
-    Surface { material, optics: optics_of(mtl) }
+    }
 }
 
 fn optics_of(mtl: &ObjMaterial) -> Optics {
-    let dissolve = mtl.dissolve.unwrap_or(1.0);
-    match mtl.illumination_model {
-        Some(3 | 5 | 8) => Optics::Mirror { reflectance: share(mtl.specular.unwrap_or(Rgb::ONE)) },
-        Some(4 | 6 | 7 | 9) => glass(mtl, if dissolve < 1.0 { 1.0 - dissolve } else { 1.0 }),
-        _ if dissolve < 1.0 => glass(mtl, 1.0 - dissolve),
+    match (mtl.illumination_model, dissolve(mtl)) {
+        (Some(3 | 5 | 8), None) => Optics::Mirror { reflectance: share(mtl.specular.unwrap_or(Rgb::ONE)) },
+        (Some(4 | 6 | 7 | 9), opacity) => Optics::Glass {
+            refractive_index: mtl.refractive_index.unwrap_or(1.0).clamp(1.0, GREATEST_REFRACTIVE_INDEX),
+            transmittance: Rgb::splat(opacity.map_or(1.0, |opacity| 1.0 - opacity)),
+        },
+        (_, Some(opacity)) => Optics::Dissolved { opacity },
         _ => Optics::Opaque,
     }
 }
 
-fn glass(mtl: &ObjMaterial, through: f32) -> Optics {
-    Optics::Glass {
-        refractive_index: mtl.refractive_index.unwrap_or(1.0).clamp(1.0, GREATEST_REFRACTIVE_INDEX),
-        transmittance: Rgb::splat(through.clamp(0.0, 1.0)),
-    }
+/// `d` if the material is not opaque: 0 or more, less than 1.
+fn dissolve(mtl: &ObjMaterial) -> Option<f32> {
+    mtl.dissolve.filter(|d| *d < 1.0).map(|d| d.max(0.0))
 }
 
-/// A share of light, 0 to 1 (L24); files know colours beyond.
+/// What becomes of an exponent that is too great, if one of these materials has such a one.
+pub(crate) fn exponent_warning(materials: &[ObjMaterial]) -> Option<String> {
+    let too_great = |mtl: &&ObjMaterial| mtl.exponent.is_some_and(|exponent| exponent > GREATEST_EXPONENT);
+    let mtl = materials.iter().find(too_great)?;
+    let exponent = mtl.exponent.unwrap_or_default();
+    Some(format!(
+        "material {:?} has Ns {exponent:e}; it is drawn with {GREATEST_EXPONENT}, above which f32 is off by half a step of 255",
+        mtl.name
+    ))
+}
+
+/// A share of light, 0 to 1 (L24); files know colors beyond.
 fn share(color: Rgb) -> Rgb {
     color.clamp(Rgb::ZERO, Rgb::ONE)
 }
@@ -81,12 +101,23 @@ mod tests {
                 "illum {model}"
             );
         }
-        // Without a word about its index, glass bends nothing.
-        let thin = surface_of(&ObjMaterial { dissolve: Some(0.5), ..red.clone() }).optics;
-        assert_eq!(thin, Optics::Glass { refractive_index: 1.0, transmittance: Rgb::splat(0.5) });
-        let pane = ObjMaterial { dissolve: Some(0.25), refractive_index: Some(1.33), ..red };
+        // Own light counts by d; without a glass model nothing is bent, whatever the index.
+        let half = ObjMaterial { dissolve: Some(0.5), refractive_index: Some(1.33), ..red.clone() };
+        assert_eq!(surface_of(&half).optics, Optics::Dissolved { opacity: 0.5 });
+        assert_eq!(surface_of(&half).material, surface_of(&red).material);
+        let pane = ObjMaterial {
+            dissolve: Some(0.25),
+            refractive_index: Some(1.33),
+            illumination_model: Some(9),
+            ..red.clone()
+        };
         let through = Optics::Glass { refractive_index: 1.33, transmittance: Rgb::splat(0.75) };
         assert_eq!(surface_of(&pane).optics, through);
+        assert_eq!(surface_of(&pane).material.diffuse, 0.25 * vec3(0.7, 0.1, 0.05));
+        assert_eq!(material_of(&pane).diffuse, vec3(0.7, 0.1, 0.05));
+        let clear = ObjMaterial { dissolve: None, refractive_index: None, ..pane };
+        let all = Optics::Glass { refractive_index: 1.0, transmittance: Rgb::ONE };
+        assert_eq!((surface_of(&clear).optics, surface_of(&clear).material), (all, material_of(&clear)));
     }
 
     #[test]

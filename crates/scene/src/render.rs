@@ -112,17 +112,36 @@ fn render_by(
             show::picture(settings.show, (width, height), &seen, Loop::Objects, &mut notes)
         }
     };
-    if settings.show == Show::Color {
-        is_empty = image.pixels().iter().all(|pixel| *pixel == prepared.background);
+    let has_one_color = image.pixels().iter().all(|pixel| *pixel == prepared.background);
+    if settings.show == Show::Color && has_one_color {
+        is_empty = covers_nothing(version, prepared, settings)?;
+        if !is_empty {
+            notes.push(format!(
+                "{}: objects are in view, but all have the color of the background; is there a light?",
+                settings.renderer
+            ));
+        }
     }
     if is_empty {
         notes.push(format!(
-            "{}: every pixel is background; is anything before the camera, and has it an area?",
+            "{}: every pixel is background; is anything in front of the camera, and has it an area?",
             settings.renderer
         ));
     }
     progress(1.0);
     Ok(Rendered { image, notes })
+}
+
+/// Whether no sample of the picture shows any object. Drawn again for that, since a color does not tell it.
+fn covers_nothing(version: Version, prepared: &Prepared, settings: &Settings) -> Result<bool, RenderError> {
+    let ((width, height), n) = (settings.size, settings.samples);
+    if settings.renderer == Renderer::Raytrace {
+        let world = prepared.traced_world(settings)?;
+        return Ok(!raytrace::covers_anything(&world, &prepared.pipeline(width, height)?, n));
+    }
+    let pipeline = prepared.pipeline(width * n, height * n)?;
+    let frame = rasterized(version, prepared, settings, &pipeline, &mut Vec::new())?;
+    Ok(frame.visible.iter().all(Option::is_none))
 }
 
 impl Settings {

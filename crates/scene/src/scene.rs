@@ -127,7 +127,7 @@ pub enum Shape {
         /// Subdivision level.
         level: u32,
     },
-    /// Flat convex polygons, each at least three corners, anticlockwise seen from the front.
+    /// Flat polygons, convex or re-entrant, each of at least three corners, anticlockwise seen from the front.
     Polygons {
         /// The corners.
         polygons: Vec<Vec<Vec3>>,

@@ -112,6 +112,7 @@ fn material_table(name: &str, surface: &Surface) -> String {
     match surface.optics {
         Optics::Opaque => lines,
         Optics::Mirror { reflectance } => lines.line("mirror", vector(reflectance)),
+        Optics::Dissolved { opacity } => lines.line("opacity", number(opacity)),
         Optics::Glass { refractive_index, transmittance } => lines.line(
             "glass",
             format!("{{ index = {}, tint = {} }}", number(refractive_index), vector(transmittance)),

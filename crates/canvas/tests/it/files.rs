@@ -160,3 +160,53 @@ fn a_png_that_claims_a_huge_size_is_refused_before_memory_is_taken() {
     let largest = i32::MAX as u32;
     assert!(matches!(claims(largest, largest, 0x9bab_9c31), CodecError::Unreadable { .. }));
 }
+
+/// An OpenEXR file of 3 × 2 pixels, rows from the top down, with these channels.
+fn exr_of(names: &[&str], value: impl Fn(usize, usize, usize) -> f32) -> Vec<u8> {
+    use exr::prelude::{AnyChannel, AnyChannels, FlatSamples, WritableImage};
+    let channel = |(which, name): (usize, &&str)| {
+        let samples = (0..6).map(|k| value(which, k % 3, k / 3)).collect();
+        AnyChannel::new(*name, FlatSamples::F32(samples))
+    };
+    let channels = AnyChannels::sort(names.iter().enumerate().map(channel).collect());
+    let mut file = Cursor::new(Vec::new());
+    exr::prelude::Image::from_channels((3, 2), channels).write().to_buffered(&mut file).unwrap();
+    file.into_inner()
+}
+
+#[test]
+fn openexr_files_of_luminance_alone_are_gray() {
+    let luminance = |_: usize, x: usize, row: usize| 0.5 * x as f32 + 3.0 * row as f32;
+    let read = decode(&exr_of(&["Y"], luminance)).unwrap();
+    assert_eq!((read.width(), read.height()), (3, 2));
+    // Row 0 of the file is the top, j = 1.
+    assert_eq!((read.get(2, 1), read.get(1, 0)), (Rgb::splat(1.0), Rgb::splat(3.5)));
+    let with_alpha =
+        codec::decode_with_alpha(&exr_of(
+            &["Y", "A"],
+            |which, x, row| {
+                if which == 0 { luminance(0, x, row) } else { 0.25 }
+            },
+        ));
+    let with_alpha = with_alpha.unwrap();
+    assert_eq!((with_alpha.image, with_alpha.alpha), (read, Some(vec![0.25; 6])));
+}
+
+#[test]
+fn openexr_files_that_are_neither_rgb_nor_luminance_are_refused() {
+    for names in [&["Z"][..], &["R", "G"], &["BY", "RY", "Y"]] {
+        assert!(
+            matches!(decode(&exr_of(names, |_, _, _| 0.5)), Err(CodecError::Unreadable { .. })),
+            "{names:?}"
+        );
+    }
+}
+
+#[test]
+fn opacity_comes_with_the_picture_where_a_file_has_it() {
+    let rgba = [0, 0, 0, 0, 0, 0, 0, 255];
+    let read = codec::decode_with_alpha(&png_of(&rgba, 2, 1, ExtendedColorType::Rgba8)).unwrap();
+    assert_eq!(read.alpha, Some(vec![0.0, 1.0]));
+    let opaque = codec::decode_with_alpha(&png_of(&[0, 0, 0], 1, 1, ExtendedColorType::Rgb8)).unwrap();
+    assert_eq!(opaque.alpha, None);
+}

@@ -22,7 +22,8 @@ pub(super) static FIGURE: Figure = Figure {
         Text { en: "exponent p of the fourth ball", nl: "exponent p van de vierde bol" },
         64.0,
         0.0,
-        4096.0,
+        // The sixth ball has 16 times as much, and no material has more than 4096.
+        scene::limits::GREATEST_EXPONENT / 16.0,
     )],
     size: (960, 180),
     draw,

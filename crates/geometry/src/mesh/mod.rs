@@ -1,5 +1,6 @@
 //! How do a thousand triangles share their vertices? By index.
 
+mod part;
 mod transform;
 
 pub use transform::normal_matrix;
@@ -223,18 +224,6 @@ impl Mesh {
         let normals = self.normals.as_ref()?;
         let corners = normals.triangles[k].map(|index| normals.values[index as usize]);
         corners.iter().all(|n| *n != Vec3::ZERO).then_some(corners)
-    }
-
-    /// Whether the mesh has normals but in each triangle all three are the same: they say no more than the triangle does,
-    /// and interpolating them gives nothing smooth. Some programs write OBJ files like that.
-    #[must_use]
-    pub fn has_face_normals_only(&self) -> bool {
-        self.normals.as_ref().is_some_and(|normals| {
-            normals.triangles.iter().all(|corners| {
-                let [a, b, c] = corners.map(|index| normals.values[index as usize]);
-                a == b && b == c
-            })
-        })
     }
 
     /// The texture coordinates at the corners of triangle `k`, if the mesh has any.

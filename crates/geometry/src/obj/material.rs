@@ -15,7 +15,7 @@ pub struct ObjMaterial {
     pub specular: Option<Vec3>,
     /// `Ns`: the exponent of the highlight, at least 0 (MTL means the halfway form, L34).
     pub exponent: Option<f32>,
-    /// `d`, or 1 − `Tr`: from 0, invisible, to 1, opaque.
+    /// `d`, or 1 − `Tr` where there is no `d`: from 0, invisible, to 1, opaque.
     pub dissolve: Option<f32>,
     /// `Ni`: the index of refraction, greater than 0.
     pub refractive_index: Option<f32>,

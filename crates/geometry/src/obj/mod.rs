@@ -1,19 +1,22 @@
 //! How does a mesh from elsewhere come in? As Wavefront OBJ text, its materials as MTL text.
 //!
 //! [`parse`] tells the story: scan the text line by line, so that each defect is reported with its line and what to do
-//! about it (`scan`); let [tobj](https://docs.rs/tobj) read what passed; cut polygons into triangles (`polygon`);
+//! about it (`scan`); let [tobj](https://docs.rs/tobj) read what passed; cut polygons into triangles (`faces`);
 //! look the materials up (`mtl`).
 //!
 //! What is read: `v` (with w; vertex colours are left out), `vt`, `vn`, `f` with any number of corners, indices from
-//! either end, `usemtl`, `mtllib`, comments, continued lines, the line ends of every system. All objects and groups
-//! become one mesh; smoothing groups are ignored, since normals say it better. Lines, points, curves and textures are
-//! left out with a warning.
+//! either end, `usemtl` (without a name: the default material), `mtllib`, `s`, comments, continued lines, the line ends of
+//! every system. All objects and groups become one mesh. Normals are kept as the file has them; smoothing groups count for
+//! faces without normals only. Lines, points, curves and textures are left out with a warning.
+//!
+//! Of several materials with one name the first is used, with a warning.
 
+mod faces;
 mod indices;
 mod material;
 mod message;
 mod mtl;
-mod polygon;
+mod mtl_scan;
 mod scan;
 mod text;
 
@@ -39,6 +42,9 @@ pub struct Import {
     pub origin: DVec3,
     /// The materials that [`Mesh::material`] points to. Number 0 is always the default, for faces without a material.
     pub materials: Vec<ObjMaterial>,
+    /// The smoothing group (`s`) of each triangle; empty if the file has no `s` line. Edges between two groups are hard.
+    /// 0 is `s off`: such a triangle is smooth with no other. `None` for triangles before the first `s`.
+    pub smoothing: Vec<Option<u32>>,
     /// What was left out or replaced, in the order of the file.
     pub warnings: Vec<ObjWarning>,
 }
@@ -74,13 +80,14 @@ pub fn parse(
     let mut warnings = Warnings::default();
     let scan = Scan::of(bytes, source, &mut warnings)?;
     let model = read(&scan.plain, source)?;
-    let polygons = polygon::triangulate(&model, &scan, &mut warnings)?;
+    let polygons = faces::cut(&model, &scan, &mut warnings)?;
     let library = Library::load(&scan, load_mtl, &mut warnings)?;
     let numbers = library.numbers_of(&scan, &mut warnings);
     let materials =
         polygons.faces.iter().map(|face| scan.faces[*face].material.map_or(0, |used| numbers[used]));
     let mesh = mesh_of(&model, &scan, &polygons.corners, materials.collect())?;
-    Ok(Import { mesh, origin: scan.origin, materials: library.materials, warnings: warnings.into_vec() })
+    let (origin, smoothing) = (scan.origin, smoothing_of(&scan, &polygons.faces));
+    Ok(Import { mesh, origin, materials: library.materials, smoothing, warnings: warnings.into_vec() })
 }
 
 /// Lets tobj read the plain text. The scan has seen to it that there is one model and nothing to refuse.
@@ -100,6 +107,14 @@ fn read(plain: &str, source: &str) -> Result<tobj::Mesh, ObjError> {
         .map_err(|reason| refused(reason.to_string()))?;
     let model = models.into_iter().next().ok_or_else(|| refused("no faces".to_owned()))?;
     Ok(model.mesh)
+}
+
+/// The smoothing group of each triangle, if the file has any groups. `faces` has the face of each triangle.
+fn smoothing_of(scan: &Scan, faces: &[usize]) -> Vec<Option<u32>> {
+    if scan.faces.iter().all(|face| face.smoothing.is_none()) {
+        return Vec::new();
+    }
+    faces.iter().map(|face| scan.faces[*face].smoothing).collect()
 }
 
 /// The mesh whose triangles have the given corners, each a place in the lists of indices of `model`.

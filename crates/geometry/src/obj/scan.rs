@@ -39,6 +39,8 @@ pub(super) struct Face {
     pub(super) line: usize,
     /// Its place in [`Scan::used`].
     pub(super) material: Option<usize>,
+    /// Its smoothing group: 0 for `s off`, `None` if no `s` came before.
+    pub(super) smoothing: Option<u32>,
 }
 
 /// A name and the line where it is used first.
@@ -81,6 +83,7 @@ struct Scanner {
     corners: Vec<u64>,
     indices: Indices,
     material: Option<usize>,
+    smoothing: Option<u32>,
     places: HashMap<String, usize>,
 }
 
@@ -105,6 +108,7 @@ impl Scanner {
             corners: Vec::new(),
             indices: Indices::default(),
             material: None,
+            smoothing: None,
             places: HashMap::new(),
         }
     }
@@ -122,9 +126,16 @@ impl Scanner {
             "vt" => self.texture(words),
             "vn" => self.normal(words),
             "f" | "fo" => self.face(words),
-            "usemtl" => self.use_material(name()),
+            "usemtl" => {
+                self.use_material(name());
+                Ok(())
+            }
             "mtllib" => self.library(name()),
-            "o" | "g" | "s" | "mg" | "lod" | "vp" | "bevel" | "c_interp" | "d_interp" => Ok(()),
+            "s" => {
+                self.smoothing_group(words.next().unwrap_or_default(), warnings);
+                Ok(())
+            }
+            "o" | "g" | "mg" | "lod" | "vp" | "bevel" | "c_interp" | "d_interp" => Ok(()),
             other => {
                 warnings.add(
                     &self.scan.source,
@@ -195,22 +206,34 @@ impl Scanner {
         if corners < 3 {
             return Err(self.error(format!("a face with {corners} corners"), "a face needs at least 3"));
         }
-        self.scan.faces.push(Face { line: self.line, material: self.material });
+        self.scan.faces.push(Face { line: self.line, material: self.material, smoothing: self.smoothing });
         Ok(())
     }
 
-    fn use_material(&mut self, name: &str) -> Result<(), ObjError> {
+    /// Without a name, the faces that follow have the default material.
+    fn use_material(&mut self, name: &str) {
         if name.is_empty() {
-            return Err(
-                self.error("usemtl without a name", "write the name of a material, as in: usemtl clay")
-            );
+            self.material = None;
+            return;
         }
         let place = *self.places.entry(name.to_owned()).or_insert_with(|| {
             self.scan.used.push(Reference { name: name.to_owned(), line: self.line });
             self.scan.used.len() - 1
         });
         self.material = Some(place);
-        Ok(())
+    }
+
+    fn smoothing_group(&mut self, word: &str, warnings: &mut Warnings) {
+        match (word, word.parse()) {
+            ("off", _) => self.smoothing = Some(0),
+            ("on", _) => self.smoothing = Some(1),
+            (_, Ok(group)) => self.smoothing = Some(group),
+            _ => warnings.add(
+                &self.scan.source,
+                Some(self.line),
+                format!("smoothing group {} is left out: write a number, or off", quoted(word)),
+            ),
+        }
     }
 
     fn library(&mut self, name: &str) -> Result<(), ObjError> {

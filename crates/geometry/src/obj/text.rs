@@ -1,4 +1,4 @@
-//! Where does a line end? At LF, CR LF or CR, unless it is continued.
+//! Where does a line end? At LF, CR LF or CR, unless a backslash continues it. A comment is never continued.
 
 use std::borrow::Cow;
 
@@ -33,13 +33,14 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
     let mut rest = text.split(end).zip(1..);
     std::iter::from_fn(move || {
         let (first, number) = rest.next()?;
-        let Some(start) = continued(first) else {
+        let has_comments = !is_name(first);
+        let Some(start) = continued(first, has_comments) else {
             return Some(Line { number, text: Cow::Borrowed(first) });
         };
         let mut joined = start.to_owned();
         for (next, _) in rest.by_ref() {
             joined.push(' ');
-            let Some(start) = continued(next) else {
+            let Some(start) = continued(next, has_comments) else {
                 joined.push_str(next);
                 break;
             };
@@ -49,9 +50,16 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
     })
 }
 
-/// The part before the backslash if the line ends in one.
-fn continued(line: &str) -> Option<&str> {
-    line.trim_end_matches('\r').strip_suffix('\\')
+/// Returns the part before the backslash that continues the line. A backslash at the end of a comment, as in
+/// `# D:\models\`, continues nothing.
+fn continued(line: &str, has_comments: bool) -> Option<&str> {
+    let is_comment = has_comments && line.contains('#');
+    line.trim_end_matches('\r').strip_suffix('\\').filter(|_| !is_comment)
+}
+
+/// Whether the line holds the name of a material or a file, in which '#' is a letter.
+fn is_name(line: &str) -> bool {
+    matches!(line.split_whitespace().next(), Some("usemtl" | "mtllib" | "newmtl"))
 }
 
 /// The number that `word` is, within the range of f32 and with the digits of f64.
@@ -92,6 +100,19 @@ mod tests {
         let want = vec![(1, "f 1  2  3".to_owned()), (4, "v 7".to_owned())];
         assert_eq!(all("f 1 \\\n2 \\\r\n3\nv 7"), want);
         assert_eq!(all("f 1\\"), vec![(1, "f 1".to_owned())]);
+    }
+
+    #[test]
+    fn comment_is_never_continued() {
+        let face = (2, "f 1".to_owned());
+        for text in ["# D:\\models\\\nf 1", "# D:\\models\\\r\nf 1", "# D:\\models\\\rf 1"] {
+            assert_eq!(all(text)[1], face, "{text:?}");
+        }
+        // Nor is one behind numbers, or on a line that continues another.
+        assert_eq!(all("v 1 # \\\nf 1")[1], face);
+        assert_eq!(all("v \\\n1 # \\\nf 1")[1], (3, "f 1".to_owned()));
+        // In a name '#' is a letter.
+        assert_eq!(all("usemtl a#\\\nb"), [(1, "usemtl a# b".to_owned())]);
     }
 
     #[test]

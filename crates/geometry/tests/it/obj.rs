@@ -240,7 +240,6 @@ fn bad_faces_are_refused_with_their_line() {
     refuses(14, "f 1 2 3.5", "'3.5' is not a whole number");
     refuses(14, "f 1 2 /3", "no vertex");
     refuses(14, "f 1/1/1/1 2 3", "more than three");
-    refuses(13, "usemtl", "without a name");
     refuses(2, "mtllib  ", "without a file");
 }
 

@@ -5,7 +5,8 @@ use std::io::Read;
 use std::panic;
 use std::path::Path;
 
-use canvas::{Difference, Image, codec, difference, side_by_side};
+use canvas::codec::{self, Decoded};
+use canvas::{Difference, Image, difference, side_by_side};
 
 use super::args::CompareArgs;
 use super::output::Target;
@@ -39,7 +40,7 @@ pub(crate) fn run(asked: &CompareArgs) -> Result<Outcome, Failure> {
 
     // With no tolerance any difference counts, be it a rounding.
     let threshold = if asked.tolerance > 0.0 { asked.tolerance + ROUNDING } else { 0.0 };
-    let found = match difference(&a, &b, threshold) {
+    let found = match difference(&a.image, &b.image, threshold) {
         Ok(found) => found,
         Err(mismatch) => {
             say(&mismatch.to_string())?;
@@ -49,15 +50,18 @@ pub(crate) fn run(asked: &CompareArgs) -> Result<Outcome, Failure> {
             return Ok(Outcome::Differs);
         }
     };
-    say(&report(asked, &a, &found))?;
+    say(&report(asked, &a.image, &found))?;
+    if let Some(word) = alpha_word(&a, &b) {
+        say(&word)?;
+    }
     if let Some(target) = target {
-        target.write(&side_by_side(&[&a, &b, &found.heat_map()], GAP, GAP_COLOR))?;
+        target.write(&side_by_side(&[&a.image, &b.image, &found.heat_map()], GAP, GAP_COLOR))?;
         say(&format!("wrote {}: A, B and their difference", target.named().display()))?;
     }
     Ok(if found.over_threshold == 0 { Outcome::Done } else { Outcome::Differs })
 }
 
-fn read(path: &Path) -> Result<Image, Failure> {
+fn read(path: &Path) -> Result<Decoded, Failure> {
     let mut bytes = Vec::new();
     File::open(path)
         .and_then(|file| file.take(MOST_BYTES).read_to_end(&mut bytes))
@@ -65,9 +69,19 @@ fn read(path: &Path) -> Result<Image, Failure> {
     // A library that panics on a damaged file is caught where it is called; its message would only confuse.
     let hook = panic::take_hook();
     panic::set_hook(Box::new(|_| {}));
-    let image = codec::decode(&bytes);
+    let image = codec::decode_with_alpha(&bytes);
     panic::set_hook(hook);
     image.map_err(|error| Failure::unreadable(path, &error))
+}
+
+/// What is to be said where the pictures differ in their opacity, which is not compared.
+fn alpha_word(a: &Decoded, b: &Decoded) -> Option<String> {
+    let pixels = a.image.pixels().len();
+    let opacity = |of: &Decoded, k: usize| of.alpha.as_ref().map_or(1.0, |alpha| alpha[k]);
+    let differ = (0..pixels).filter(|k| opacity(a, *k) != opacity(b, *k)).count();
+    (differ > 0).then(|| {
+        format!("alpha differs in {differ} of {pixels} pixels; colors were compared with black behind them")
+    })
 }
 
 /// What was found, in one line or two.
@@ -85,8 +99,12 @@ fn report(asked: &CompareArgs, image: &Image, found: &Difference) -> String {
             asked.tolerance
         ),
     };
+    let nan = match found.not_a_number {
+        0 => String::new(),
+        count => format!("; {count} of {pixels} pixels are NaN, which is within no tolerance"),
+    };
     format!(
-        "{verdict}, between {a} and {b}\n\
+        "{verdict}, between {a} and {b}{nan}\n\
          greatest difference {:.6} ({:.1} steps of 255) at pixel ({i}, {j}), counted from the lower left; mean {:.6}",
         found.greatest,
         found.greatest * 255.0,

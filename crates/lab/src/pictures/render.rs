@@ -190,6 +190,9 @@ fn draw_all(
         }
     };
     let prepared = scene::prepare(loaded)?;
+    for warning in prepared.warnings() {
+        warn(warning);
+    }
     let mut pictures = Vec::new();
     for &renderer in renderers {
         let (rendered, time) = draw(&prepared, &Settings { renderer, ..*settings }, slide)?;

@@ -126,3 +126,30 @@ fn damaged_pictures_end_in_an_error_or_a_verdict() {
         }
     }
 }
+
+#[test]
+fn nan_is_within_no_tolerance() {
+    let desk = desk();
+    let mut nan = Image::new(6, 5, Rgb::ZERO);
+    nan.set(1, 2, Rgb::new(0.0, f32::NAN, 0.0));
+    desk.put("nan.exr", codec::encode(&nan, Format::Exr).unwrap());
+    desk.put("black.exr", codec::encode(&Image::new(6, 5, Rgb::ZERO), Format::Exr).unwrap());
+    let parts = ["different: 1 of 30 pixels", "1 of 30 pixels are NaN", "(1, 2)"];
+    says(&desk.lab("compare nan.exr black.exr --tolerance 1"), 1, &parts);
+}
+
+/// A black PNG of one pixel with alpha 0, as another program writes it.
+const TRANSPARENT_PNG: &[u8] = b"\x89PNG\r\n\x1a\n\
+    \x00\x00\x00\x0d\x49\x48\x44\x52\x00\x00\x00\x01\x00\x00\x00\x01\x08\x06\x00\x00\x00\x1f\x15\xc4\x89\
+    \x00\x00\x00\x10\x49\x44\x41\x54\x78\x01\x01\x05\x00\xfa\xff\x00\x00\x00\x00\x00\x00\x05\x00\x01\x64\x78\x95\x38\
+    \x00\x00\x00\x00\x49\x45\x4e\x44\xae\x42\x60\x82";
+
+#[test]
+fn transparent_black_against_opaque_black_is_the_same_with_a_word_about_alpha() {
+    let desk = desk();
+    desk.put("clear.png", TRANSPARENT_PNG);
+    desk.put("black.png", codec::encode(&Image::new(1, 1, Rgb::ZERO), Format::Png8).unwrap());
+    let parts = ["same: none of 1 pixels differs", "alpha differs in 1 of 1 pixels"];
+    says(&desk.lab("compare clear.png black.png"), 0, &parts);
+    assert!(!desk.lab("compare clear.png clear.png").out.contains("alpha"));
+}

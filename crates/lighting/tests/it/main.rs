@@ -1,4 +1,5 @@
 //! Every integration test of `lighting`, in one program: one to link instead of many.
 
+mod exponents;
 mod fast;
 mod laws;

@@ -136,6 +136,10 @@ fn beyond(optics: Optics, value: Rgb) -> Option<Json> {
             ),
             "R raycolor(p + t·r) + (1 − R) k_t raycolor(p + t·d′)",
         ),
+        Optics::Dissolved { .. } => (
+            Words::new("half transparent: what lies behind", "halfdoorzichtig: wat erachter ligt"),
+            "(1 − α) (raycolor(p + t·d) − local)",
+        ),
     };
     let numbers = Words::new("raycolor minus the local light", "raycolor min het lokale licht");
     Some(

@@ -180,6 +180,10 @@ fn of_colors(subject: &Subject, rasterized: &Loop, cast: &Cast, light: &OnHit) -
             "Glass: only the ray tracer follows the reflected and the refracted ray.",
             "Glas: alleen de raytracer volgt de teruggekaatste en de gebroken straal.",
         )),
+        Optics::Dissolved { .. } => why.push(Words::new(
+            "Half transparent: only the ray tracer shows what lies behind.",
+            "Halfdoorzichtig: alleen de raytracer toont wat erachter ligt.",
+        )),
     }
     if !is_mesh(subject, hit) && shown.object == hit.object {
         why.extend(ball_normal(subject, shown, cast));

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use transforms::{Pipeline, viewport};
 
 use super::{any_hit_each, nearest_each};
-use crate::color::{LightingPoints, shows_light, with_optics};
+use crate::color::{Cast, LightingPoints, shows_light, with_optics};
 use crate::picture::{Settings, part};
 use crate::query::Hit;
 use crate::shadow::{light_share, shadow_ray};
@@ -113,7 +113,8 @@ fn ray_colors(
     }
     add_light(world, rays, settings, &mut seen);
     for Seen { k, hit, light } in &seen {
-        colors[*k] = with_optics(world, &rays[*k], hit, *light, settings);
+        let cast = Cast { world, ray: &rays[*k], settings, share: 1.0 };
+        colors[*k] = with_optics(&cast, hit, *light);
     }
     colors
 }

@@ -6,3 +6,4 @@ mod laws;
 mod pictures;
 mod shading;
 mod shadows;
+mod shares;

@@ -17,8 +17,8 @@ use toml::de::DeTable;
 
 use crate::SceneError;
 use crate::scene::{Scene, Settings};
-use object::Budget;
 pub(crate) use object::CREASE_DEGREES;
+use object::Objects;
 pub(crate) use table::Source;
 use table::Table;
 use value::Value;
@@ -32,6 +32,8 @@ pub(crate) struct Parsed {
     pub(crate) scene: Scene,
     /// Path as written, and its place.
     pub(crate) obj_paths: Vec<(String, Range<usize>)>,
+    /// What is odd but can be drawn, with its place.
+    pub(crate) warnings: Vec<String>,
 }
 
 impl Scene {
@@ -78,14 +80,14 @@ pub(crate) fn parse(text: &str, file: &str) -> Result<Parsed, SceneError> {
     let background = root.get("background").map_or(Ok(Rgb::ZERO), |value| value.color(BRIGHTEST))?;
     let lights = list(&root, "light")?.iter().map(surface::light).collect::<Result<_, _>>()?;
     let materials = surface::materials(&root)?;
-    let mut obj_paths = Vec::new();
-    let mut budget = Budget::default();
+    let mut so_far = Objects::default();
     let objects = list(&root, "object")?;
     let objects = objects
         .iter()
-        .map(|value| object::object(value, &materials, &mut budget, &mut obj_paths))
+        .map(|value| object::object(value, &materials, &mut so_far))
         .collect::<Result<_, _>>()?;
-    Ok(Parsed { scene: Scene { camera, background, lights, materials, objects, settings }, obj_paths })
+    let scene = Scene { camera, background, lights, materials, objects, settings };
+    Ok(Parsed { scene, obj_paths: so_far.obj_paths, warnings: so_far.warnings })
 }
 
 fn list<'a>(root: &Table<'a>, key: &str) -> Result<Vec<Value<'a>>, SceneError> {

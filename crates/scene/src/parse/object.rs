@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use geometry::polygon::{MOST_TESTS, triangulate};
 use geometry::shapes::GREATEST_LEVEL;
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use raytrace::Surface;
 
 use super::nearest::nearest;
@@ -34,22 +35,32 @@ const SHAPES: [(&str, &[&str]); 7] = [
 /// The keys that every object has.
 const COMMON: [&str; 4] = ["material", "transforms", "instances", "crease"];
 
-/// The copies and triangles of the objects so far.
-#[derive(Default)]
-pub(super) struct Budget {
+/// What the objects so far take, and what is to be said about them.
+pub(super) struct Objects {
     copies: u64,
     triangles: u64,
+    /// The point-in-triangle tests that are left for cutting polygons.
+    tests_left: u64,
+    /// The OBJ files, and where they are named.
+    pub(super) obj_paths: Vec<(String, Range<usize>)>,
+    /// What is odd but can be drawn.
+    pub(super) warnings: Vec<String>,
+}
+
+impl Default for Objects {
+    fn default() -> Self {
+        Self { copies: 0, triangles: 0, tests_left: MOST_TESTS, obj_paths: Vec::new(), warnings: Vec::new() }
+    }
 }
 
 /// The object of one `[[object]]` table.
 pub(super) fn object(
     value: &Value<'_>,
     materials: &BTreeMap<String, Surface>,
-    budget: &mut Budget,
-    obj_paths: &mut Vec<(String, Range<usize>)>,
+    so_far: &mut Objects,
 ) -> Result<Object, SceneError> {
     let table = value.any_table()?;
-    let shape = shape(&table, obj_paths)?;
+    let shape = shape(&table, so_far)?;
     let object = Object {
         shape,
         material: table.get("material").map(|name| material_name(&name, materials)).transpose()?,
@@ -60,11 +71,11 @@ pub(super) fn object(
             None => CREASE_DEGREES,
         },
     };
-    budget.spend(value, &object)?;
+    so_far.spend(value, &object)?;
     Ok(object)
 }
 
-impl Budget {
+impl Objects {
     /// Counts one more object, before anything of it is built.
     fn spend(&mut self, value: &Value<'_>, object: &Object) -> Result<(), SceneError> {
         let copies = object.instances.len().max(1) as u64;
@@ -98,7 +109,7 @@ fn material_name(value: &Value<'_>, materials: &BTreeMap<String, Surface>) -> Re
     Err(value.fault(format!("there is no material \"{}\"", plain(name)), remedy))
 }
 
-fn shape(table: &Table<'_>, obj_paths: &mut Vec<(String, Range<usize>)>) -> Result<Shape, SceneError> {
+fn shape(table: &Table<'_>, so_far: &mut Objects) -> Result<Shape, SceneError> {
     let sources = ["shape", "polygons", "obj"].map(|key| table.get(key));
     let remedy =
         "an object has one of shape = \"teapot\", polygons = [[[x, y, z], …], …] and obj = \"file.obj\"";
@@ -106,13 +117,13 @@ fn shape(table: &Table<'_>, obj_paths: &mut Vec<(String, Range<usize>)>) -> Resu
         [Some(name), None, None] => built_in(table, &name),
         [None, Some(polygons), None] => {
             check_keys(table, &["polygons"])?;
-            Ok(Shape::Polygons { polygons: self::polygons(&polygons)? })
+            Ok(Shape::Polygons { polygons: self::polygons(&polygons, so_far)? })
         }
         [None, None, Some(path)] => {
             check_keys(table, &["obj", "fit"])?;
             let fit = table.get("fit").map_or(Ok(false), |fit| fit.truth())?;
             let name = obj_path(&path)?;
-            obj_paths.push((name.clone(), path.span()));
+            so_far.obj_paths.push((name.clone(), path.span()));
             Ok(Shape::Obj { path: name, fit })
         }
         [None, None, None] => Err(table.fault("the object has no shape", remedy)),
@@ -176,19 +187,32 @@ fn lengths(value: &Value<'_>) -> Result<Vec3, SceneError> {
     }
 }
 
-fn polygons(value: &Value<'_>) -> Result<Vec<Vec<Vec3>>, SceneError> {
+fn polygons(value: &Value<'_>, so_far: &mut Objects) -> Result<Vec<Vec<Vec3>>, SceneError> {
     let polygons = value.items()?;
     if polygons.is_empty() {
         return Err(value.must_be("at least one polygon, [[x, y, z], [x, y, z], [x, y, z]]"));
     }
-    let corners = |polygon: &Value<'_>| {
-        let corners: Vec<Vec3> = polygon.items()?.iter().map(Value::vector).collect::<Result<_, _>>()?;
-        if corners.len() < 3 {
-            return Err(polygon.must_be("at least three corners, [[x, y, z], [x, y, z], [x, y, z]]"));
-        }
-        Ok(corners)
-    };
-    polygons.iter().map(corners).collect()
+    polygons.iter().map(|polygon| self::polygon(polygon, so_far)).collect()
+}
+
+/// One polygon, of which it is clear that it can be cut into triangles.
+fn polygon(value: &Value<'_>, so_far: &mut Objects) -> Result<Vec<Vec3>, SceneError> {
+    let corners: Vec<Vec3> = value.items()?.iter().map(Value::vector).collect::<Result<_, _>>()?;
+    if corners.len() < 3 {
+        return Err(value.must_be("at least three corners, [[x, y, z], [x, y, z], [x, y, z]]"));
+    }
+    let points: Vec<DVec3> = corners.iter().map(|corner| corner.as_dvec3()).collect();
+    let (_, outline) = triangulate(&points, &mut so_far.tests_left).ok_or_else(|| {
+        value.fault(
+            format!(
+                "a re-entrant polygon with {} corners takes too long to cut into triangles",
+                corners.len()
+            ),
+            "cut it into smaller polygons",
+        )
+    })?;
+    so_far.warnings.extend(outline.warning().map(|warning| value.said(warning)));
+    Ok(corners)
 }
 
 /// The path of an OBJ file; anything else, the scene file itself for one, is refused by its name.

@@ -45,27 +45,40 @@ pub(super) fn materials(root: &Table<'_>) -> Result<BTreeMap<String, Surface>, S
 }
 
 fn surface(value: &Value<'_>) -> Result<Surface, SceneError> {
-    let table = value.table(&["diffuse", "specular", "exponent", "mirror", "glass"])?;
+    let table = value.table(&["diffuse", "specular", "exponent", "mirror", "glass", "opacity"])?;
     let diffuse = table.need("diffuse", "say its colour: diffuse = [red, green, blue]")?.color(1.0)?;
     let mut material = Material::new(diffuse, Material::default().exponent);
     if let Some(value) = table.get("specular") {
         material.specular = value.color(1.0)?;
     }
     if let Some(value) = table.get("exponent") {
-        let must_be = format!("from 0 to {GREATEST_EXPONENT:e}");
+        let must_be = format!(
+            "from 0 to {GREATEST_EXPONENT}: above that the highlight, computed in f32, is off by half a step of 255"
+        );
         material.exponent = value.number_where(&must_be, |p| (0.0..=GREATEST_EXPONENT).contains(&p))?;
     }
-    let optics = match (table.get("mirror"), table.get("glass")) {
-        (None, None) => Optics::Opaque,
-        (Some(mirror), None) => Optics::Mirror { reflectance: mirror.color(1.0)? },
-        (None, Some(glass)) => self::glass(&glass)?,
-        (Some(_), Some(glass)) => {
-            return Err(
-                glass.fault("both `mirror` and `glass` are there", "choose one; glass mirrors by itself")
-            );
+    Ok(Surface { material, optics: optics(&table)? })
+}
+
+/// What the surface does beyond the lighting model; a table names one of them at most.
+fn optics(table: &Table<'_>) -> Result<Optics, SceneError> {
+    match (table.get("mirror"), table.get("glass"), table.get("opacity")) {
+        (None, None, None) => Ok(Optics::Opaque),
+        (Some(mirror), None, None) => Ok(Optics::Mirror { reflectance: mirror.color(1.0)? }),
+        (None, Some(glass), None) => self::glass(&glass),
+        (None, None, Some(opacity)) => {
+            let must_be = "from 0, invisible, to 1, opaque";
+            let opacity = opacity.number_where(must_be, |share| (0.0..=1.0).contains(&share))?;
+            Ok(Optics::Dissolved { opacity })
         }
-    };
-    Ok(Surface { material, optics })
+        (_, _, Some(opacity)) => Err(opacity.fault(
+            "`opacity` stands beside `mirror` or `glass`",
+            "choose one; glass is clear by itself, see its `tint`",
+        )),
+        (Some(_), Some(glass), None) => {
+            Err(glass.fault("both `mirror` and `glass` are there", "choose one; glass mirrors by itself"))
+        }
+    }
 }
 
 fn glass(value: &Value<'_>) -> Result<Optics, SceneError> {

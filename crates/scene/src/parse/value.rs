@@ -33,6 +33,12 @@ impl<'a> Value<'a> {
         self.source.fault(&self.span, problem, remedy)
     }
 
+    /// The sentence of a warning about this value, with its place.
+    pub(super) fn said(&self, sentence: &str) -> String {
+        let SceneError { file, line, .. } = self.fault("", "");
+        format!("{file}:{}: {sentence}", line.unwrap_or(1))
+    }
+
     /// The error that this value is out of range or otherwise not what it must be.
     pub(super) fn must_be(&self, what: impl std::fmt::Display) -> SceneError {
         self.fault(format!("`{}` is {}", self.path, self.shown()), format!("it must be {what}"))

@@ -1,6 +1,7 @@
 //! What does a renderer need? Meshes instead of names, matrices instead of lists.
 
 mod part;
+mod smoothing;
 
 use std::sync::Arc;
 
@@ -21,6 +22,7 @@ pub struct Prepared {
     pub(crate) parts: Arc<Vec<Part>>,
     pub(crate) lights: Vec<Light>,
     pub(crate) background: Rgb,
+    warnings: Vec<String>,
     camera: Camera,
     lens: Lens,
     /// The size for which the camera was described; a picture of another shape sees more.
@@ -38,12 +40,13 @@ pub fn prepare(loaded: &Loaded) -> Result<Prepared, RenderError> {
     // The fields of a scene are public. One place knows what is allowed in it: the reader.
     let scene = Scene::from_toml(&loaded.scene.to_toml(), "the scene in memory")?;
     let mut budget = MOST_TRIANGLES;
-    let mut parts = Vec::new();
+    let (mut parts, mut warnings) = (Vec::new(), Vec::new());
     for (k, object) in scene.objects.iter().enumerate() {
         let part = Part::new(object, &scene, &loaded.imports)?;
         let triangles = (part.mesh.len() * part.world_from_object.len()) as u64;
         budget = budget.checked_sub(triangles).ok_or(RenderError::TooManyTriangles { object: k })?;
         part.check_place(k)?;
+        warnings.extend(part.distance_warning(k));
         parts.push(part);
     }
     let view = scene.camera;
@@ -53,6 +56,7 @@ pub fn prepare(loaded: &Loaded) -> Result<Prepared, RenderError> {
         parts: Arc::new(parts),
         lights: scene.lights.iter().map(normalized).collect(),
         background: scene.background,
+        warnings,
         camera,
         lens: view.lens,
         size: scene.settings.size,
@@ -67,6 +71,12 @@ impl Prepared {
     pub fn seen_by(&self, view: &View) -> Result<Self, RenderError> {
         let camera = Camera::look_at(view.eye, view.target, view.up)?;
         Ok(Self { extent: extent(&camera, &self.parts), camera, lens: view.lens, ..self.clone() })
+    }
+
+    /// What can be drawn but not well: objects so far from the origin that f32 rounds their shape visibly. One sentence each.
+    #[must_use]
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
     }
 
     /// What shines on the scene, world space.

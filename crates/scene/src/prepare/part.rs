@@ -3,15 +3,17 @@
 use std::sync::{Arc, OnceLock};
 
 use geometry::obj::Import;
+use geometry::polygon::{MOST_TESTS, Shape as Outline, triangulate};
 use geometry::{Aabb, Mesh, MeshError, Sphere, shapes};
 use glam::{DVec3, Mat4, Vec3};
 use lighting::Material;
-use raytrace::{Surface, TracedMesh};
+use raytrace::{Optics, Surface, TracedMesh};
 
+use super::smoothing::smooth;
 use crate::RenderError;
-use crate::limits::GREATEST_COORDINATE;
+use crate::limits::{FAR_IN_SIZES, GREATEST_COORDINATE};
 use crate::load::Imports;
-use crate::mtl::surface_of;
+use crate::mtl::{material_of, surface_of};
 use crate::scene::{Object, Scene, Shape};
 
 /// One mesh and where its copies are.
@@ -22,7 +24,7 @@ pub(crate) struct Part {
     is_ball: bool,
     /// What the mesh's material numbers point into; at least one.
     pub(crate) surfaces: Vec<Surface>,
-    /// The same without optics, as rasterizers want it.
+    /// The materials as rasterizers want them: all opaque.
     pub(crate) materials: Vec<Material>,
     /// One for each copy.
     pub(crate) world_from_object: Vec<Mat4>,
@@ -32,13 +34,22 @@ pub(crate) struct Part {
 impl Part {
     /// The mesh, surfaces and places of one object.
     pub(super) fn new(object: &Object, scene: &Scene, imports: &Imports) -> Result<Part, RenderError> {
-        let mesh =
-            shading::with_vertex_normals(mesh(&object.shape, imports)?, object.crease_degrees.to_radians());
-        let surfaces = match &object.material {
+        let import = if let Shape::Obj { path, .. } = &object.shape { imports.get(path) } else { None };
+        let (surfaces, materials) = match (&object.material, import) {
             // The reader has seen to it that the name is known.
-            Some(name) => vec![scene.materials.get(name).copied().unwrap_or_default()],
-            None => file_surfaces(&object.shape, imports),
+            (Some(name), _) => {
+                let surface = scene.materials.get(name).copied().unwrap_or_default();
+                (vec![surface], vec![surface.material])
+            }
+            (None, Some(import)) if !import.materials.is_empty() => (
+                import.materials.iter().map(surface_of).collect(),
+                import.materials.iter().map(material_of).collect(),
+            ),
+            (None, _) => (vec![Surface::default()], vec![Material::default()]),
         };
+        let groups = import.map_or(&[][..], |import| &import.smoothing);
+        let mesh = smooth(mesh(&object.shape, imports)?, groups, object.crease_degrees.to_radians());
+        let mesh = without_invisible(mesh, &surfaces);
         let world_from_shape = product(&object.transforms);
         let shape_from_object = Mat4::from_scale(Vec3::splat(radius(&object.shape)));
         let placed = |copy: Mat4| copy * world_from_shape * shape_from_object;
@@ -48,9 +59,9 @@ impl Part {
             object.instances.iter().map(|copy| placed(product(copy))).collect()
         };
         Ok(Part {
+            is_ball: matches!(object.shape, Shape::Sphere { .. }) && !mesh.is_empty(),
             mesh,
-            is_ball: matches!(object.shape, Shape::Sphere { .. }),
-            materials: surfaces.iter().map(|surface| surface.material).collect(),
+            materials,
             surfaces,
             world_from_object,
             traced: OnceLock::new(),
@@ -80,6 +91,24 @@ impl Part {
             .flat_map(move |matrix| (0..8).map(move |k| matrix.transform_point3(corner(k))))
     }
 
+    /// Says so if a copy lies so far from the origin that f32 rounds its shape visibly.
+    pub(super) fn distance_warning(&self, object: usize) -> Option<String> {
+        let corners: Vec<Vec3> = self.corners_world().collect();
+        let boxes = corners.chunks(8).map(|copy| Aabb::from_points(copy.iter().copied()));
+        let is_far = |copy: &Aabb| {
+            let distance = copy.min.abs().max(copy.max.abs()).max_element();
+            distance > FAR_IN_SIZES * copy.size().max_element()
+        };
+        let far = boxes.filter(|copy| copy.size().max_element() > 0.0).find(is_far)?;
+        Some(format!(
+            "object {object} (counted from 0) is {:.1} wide but lies up to {:.1} from the origin, where f32 positions have steps \
+             of {:.1e}: its shape is rounded visibly; move the scene to the origin, eye and lights too",
+            far.size().max_element(),
+            far.min.abs().max(far.max.abs()).max_element(),
+            f32::EPSILON * far.min.abs().max(far.max.abs()).max_element(),
+        ))
+    }
+
     /// Refuses an object that its transforms carry out of the range in which `f32` can compute with areas.
     pub(super) fn check_place(&self, object: usize) -> Result<(), RenderError> {
         let is_near = |p: Vec3| p.abs().max_element() <= GREATEST_COORDINATE;
@@ -106,13 +135,15 @@ fn radius(shape: &Shape) -> f32 {
     }
 }
 
-/// Without a material of its own, an OBJ file's are taken, and grey for everything else.
-fn file_surfaces(shape: &Shape, imports: &Imports) -> Vec<Surface> {
-    let import = if let Shape::Obj { path, .. } = shape { imports.get(path) } else { None };
-    match import {
-        Some(import) if !import.materials.is_empty() => import.materials.iter().map(surface_of).collect(),
-        _ => vec![Surface::default()],
+/// The mesh without the triangles that cannot be seen at all: those of opacity 0.
+fn without_invisible(mesh: Mesh, surfaces: &[Surface]) -> Mesh {
+    let is_invisible = |surface: &Surface| surface.optics == Optics::Dissolved { opacity: 0.0 };
+    if !surfaces.iter().any(is_invisible) {
+        return mesh;
     }
+    // As everywhere, a number beyond the list means its last surface.
+    let surface = |k: usize| &surfaces[(mesh.material(k) as usize).min(surfaces.len() - 1)];
+    mesh.filtered(|k| !is_invisible(surface(k)))
 }
 
 fn mesh(shape: &Shape, imports: &Imports) -> Result<Mesh, RenderError> {
@@ -123,7 +154,7 @@ fn mesh(shape: &Shape, imports: &Imports) -> Result<Mesh, RenderError> {
         Shape::Torus { major, minor, level } => shapes::torus(*major, *minor, *level)?,
         Shape::Disc { radius, level } => shapes::disc(*radius, *level)?,
         Shape::Teapot { level } => shapes::teapot(*level)?,
-        Shape::Polygons { polygons } => fans(polygons)?,
+        Shape::Polygons { polygons } => cut(polygons)?,
         Shape::Obj { path, fit } => {
             let import = imports.get(path).ok_or_else(|| RenderError::NotLoaded { path: path.clone() })?;
             if *fit { fitted(&import.mesh)? } else { in_place(import)? }
@@ -131,14 +162,15 @@ fn mesh(shape: &Shape, imports: &Imports) -> Result<Mesh, RenderError> {
     })
 }
 
-/// Each polygon as a fan around its first corner.
-fn fans(polygons: &[Vec<Vec3>]) -> Result<Mesh, MeshError> {
-    let mut triangles = Vec::new();
-    let mut first = 0_u32;
+/// Each polygon cut into triangles, a re-entrant one too, as the faces of an OBJ file are.
+fn cut(polygons: &[Vec<Vec3>]) -> Result<Mesh, MeshError> {
+    let (mut triangles, mut first, mut tests_left) = (Vec::new(), 0_u32, MOST_TESTS);
     for polygon in polygons {
-        let corners = polygon.len() as u32;
-        triangles.extend((1..corners.saturating_sub(1)).map(|k| [first, first + k, first + k + 1]));
-        first += corners;
+        let points: Vec<DVec3> = polygon.iter().map(|corner| corner.as_dvec3()).collect();
+        // The reader has refused polygons for which the tests run out.
+        let (own, _) = triangulate(&points, &mut tests_left).unwrap_or((Vec::new(), Outline::WithoutArea));
+        triangles.extend(own.iter().map(|corners| corners.map(|corner| first + corner as u32)));
+        first += polygon.len() as u32;
     }
     Mesh::new(polygons.concat(), triangles)
 }

@@ -81,6 +81,15 @@ const FAULTS: &[Fault] = &[
     ("0.05]", "1.05]", (6, 11), "`material.red.diffuse` is [0.7, 0.1, 1.05]", "at most 1"),
     ("0.05]", "0.05]\nexponent = -3", (7, 12), "`material.red.exponent` is -3", "from 0 to"),
     ("0.05]", "0.05]\nexponent = nan", (7, 12), "`material.red.exponent` is nan", "a finite number"),
+    (
+        "0.05]",
+        "0.05]\nexponent = 1e6",
+        (7, 12),
+        "`material.red.exponent` is 1e6",
+        "from 0 to 4096: above that the highlight, computed in f32, is off by half a step",
+    ),
+    ("0.05]", "0.05]\nopacity = 1.5", (7, 11), "`material.red.opacity` is 1.5", "from 0, invisible, to 1"),
+    ("0.05]", "0.05]\nmirror = 1\nopacity = 0.5", (8, 11), "`opacity` stands beside", "choose one"),
     ("0.05]", "0.05]\nmirror = 1.5", (7, 10), "`material.red.mirror` is 1.5", "at most 1"),
     ("0.05]", "0.05]\nglass = { index = 0.5 }", (7, 19), "`material.red.glass.index` is 0.5", "from 1 to"),
     (

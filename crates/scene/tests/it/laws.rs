@@ -34,6 +34,7 @@ fn what_was_written_reads_back_as_the_same_scene() {
             seen.class("copies", scene.objects.iter().any(|object| object.instances.len() > 1));
             seen.class("glass", optics(|o| matches!(o, Optics::Glass { .. })));
             seen.class("mirror", optics(|o| matches!(o, Optics::Mirror { .. })));
+            seen.class("half transparent", optics(|o| matches!(o, Optics::Dissolved { .. })));
             seen.class("polygons", scene.objects.iter().any(|o| matches!(o.shape, Shape::Polygons { .. })));
             seen.class(
                 "a name that needs quotes",
@@ -152,8 +153,9 @@ fn surface() -> impl Strategy<Value = Surface> {
         share().prop_map(|reflectance| Optics::Mirror { reflectance }),
         (1.0_f32..3.0, share())
             .prop_map(|(refractive_index, transmittance)| Optics::Glass { refractive_index, transmittance }),
+        (0.0_f32..=1.0).prop_map(|opacity| Optics::Dissolved { opacity }),
     ];
-    let exponent = prop_oneof![0.0_f32..300.0, 1e3_f32..1e9, Just(0.0)];
+    let exponent = prop_oneof![0.0_f32..300.0, 1e3_f32..=4096.0, Just(0.0)];
     (share(), share(), exponent, optics).prop_map(|(diffuse, specular, exponent, optics)| Surface {
         material: Material { diffuse, specular, exponent },
         optics,

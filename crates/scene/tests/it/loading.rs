@@ -44,18 +44,6 @@ fn a_missing_mtl_file_is_a_warning() {
 }
 
 #[test]
-fn one_normal_a_face_is_no_smooth_surface() {
-    // The same shallow ridge with and without a normal for each face: the pictures are the same, smooth one.
-    let ridge = "v -1 0 0\nv 0 0.2 1\nv 0 0.2 -1\nv 1 0 0\n";
-    let given = format!("{ridge}vn -0.2 1 0\nvn 0.2 1 0\nf 1//1 2//1 3//1\nf 4//2 3//2 2//2\n");
-    let folder = folder(&[("given.obj", &given), ("bare.obj", &format!("{ridge}f 1 2 3\nf 4 3 2\n"))]);
-    let [given, bare] = ["given.obj", "bare.obj"].map(|name| load(&folder.path().join(name)).unwrap());
-    assert!(given.warnings.iter().any(|warning| warning.contains("one normal")), "{:?}", given.warnings);
-    assert_eq!(bare.warnings, Vec::<String>::new());
-    assert_eq!(picture(&given, Renderer::ZBuffer), picture(&bare, Renderer::ZBuffer));
-}
-
-#[test]
 fn a_missing_mesh_is_an_error_at_the_line_that_names_it() {
     let folder = folder(&[("a.toml", SCENE)]);
     let error = load(&folder.path().join("a.toml")).unwrap_err();

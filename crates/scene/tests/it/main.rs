@@ -1,5 +1,6 @@
 //! Every integration test of `scene`, in one program: one to link instead of many.
 
+mod elsewhere;
 mod faults;
 mod hostile;
 mod laws;

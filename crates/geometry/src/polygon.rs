@@ -2,85 +2,21 @@
 
 use glam::{DVec2, DVec3};
 
-use super::message::{ObjError, Warnings};
-use super::scan::Scan;
-
-/// The triangles of all faces.
-pub(super) struct Polygons {
-    /// The corners of each triangle, as places in the model's lists of indices.
-    pub(super) corners: Vec<[usize; 3]>,
-    /// The face of each triangle.
-    pub(super) faces: Vec<usize>,
-}
-
-/// So many times may all faces of a file together ask whether a point is in a triangle. That is enough for a concave
-/// face of ten thousand corners, and about a second.
-const MOST_TESTS: u64 = 200_000_000;
-
-/// Cuts every face of `model` into triangles.
-///
-/// # Errors
-/// If concave faces are so large that it would take too long.
-pub(super) fn triangulate(
-    model: &tobj::Mesh,
-    scan: &Scan,
-    warnings: &mut Warnings,
-) -> Result<Polygons, ObjError> {
-    let mut polygons = Polygons { corners: Vec::new(), faces: Vec::new() };
-    let mut tests_left = MOST_TESTS;
-    let mut start = 0;
-    for (face, about) in scan.faces.iter().enumerate() {
-        // tobj lists the numbers of corners only if they are not all three.
-        let arity = model.face_arities.get(face).map_or(3, |arity| *arity as usize);
-        let outline = outline(model, start, arity);
-        let points: Vec<DVec3> = outline.iter().map(|corner| position(model, *corner)).collect();
-        let (triangles, shape) = cut(&points, &mut tests_left).ok_or_else(|| {
-            let problem = format!("a concave face with {arity} corners takes too long to cut into triangles");
-            ObjError::new(
-                &scan.source,
-                Some(about.line),
-                problem,
-                "cut it into smaller faces where it was made",
-            )
-        })?;
-        if let Some(message) = shape.warning() {
-            warnings.add(&scan.source, Some(about.line), message);
-        }
-        polygons.corners.extend(triangles.iter().map(|t| t.map(|k| outline[k])));
-        polygons.faces.resize(polygons.corners.len(), face);
-        start += arity;
-    }
-    Ok(polygons)
-}
-
-/// The corners of a face as places in the model's lists, without repetitions of the corner before. A triangle stays as
-/// the file has it.
-fn outline(model: &tobj::Mesh, start: usize, arity: usize) -> Vec<usize> {
-    let corners = start..start + arity;
-    if arity == 3 {
-        return corners.collect();
-    }
-    let before = |corner: usize| {
-        if corner == start { start + arity - 1 } else { corner - 1 }
-    };
-    corners.filter(|corner| model.indices[*corner] != model.indices[before(*corner)]).collect()
-}
-
-fn position(model: &tobj::Mesh, corner: usize) -> DVec3 {
-    let first = 3 * model.indices[corner] as usize;
-    DVec3::from_array(std::array::from_fn(|axis| f64::from(model.positions[first + axis])))
-}
-
-/// What the polygon turned out to be.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Shape {
+/// What a polygon turned out to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// Its outline does not cross itself, and it has an area.
     Simple,
+    /// Its outline crosses itself, so that no triangles cover it exactly.
     CrossesItself,
+    /// All its corners lie on a line.
     WithoutArea,
 }
 
 impl Shape {
-    fn warning(self) -> Option<&'static str> {
+    /// Returns what to tell the author of the polygon, if anything.
+    #[must_use]
+    pub fn warning(self) -> Option<&'static str> {
         match self {
             Self::Simple => None,
             Self::CrossesItself => Some("a face crosses itself; it is cut into triangles as well as may be"),
@@ -89,8 +25,28 @@ impl Shape {
     }
 }
 
-/// The triangles of a polygon in space, and what it is. `None` if `tests_left` runs out.
-fn cut(points: &[DVec3], tests_left: &mut u64) -> Option<(Vec<[usize; 3]>, Shape)> {
+/// Maximum number of point-in-triangle tests for all polygons of a file together. That is enough for a concave
+/// polygon of ten thousand corners, and takes about a second.
+pub const MOST_TESTS: u64 = 200_000_000;
+
+/// Cuts a polygon in space into triangles over its corners, and says what it is. The corners may lie a little off a
+/// common plane.
+///
+/// - `points`: the corners in order. Triangles run round as the polygon does.
+/// - `tests_left`: number of point-in-triangle tests that may still be made, at first [`MOST_TESTS`]; lowered by those made.
+/// - Result: each triangle as places in `points`; `None` if `tests_left` runs out.
+///
+/// ```
+/// use geometry::polygon::{MOST_TESTS, Shape, triangulate};
+/// use glam::dvec3;
+///
+/// // An arrowhead with its dent at (1, 0, 0): a fan from the first corner would cover the outside too.
+/// let arrow = [dvec3(0.0, -2.0, 0.0), dvec3(5.0, 0.0, 0.0), dvec3(0.0, 2.0, 0.0), dvec3(1.0, 0.0, 0.0)];
+/// let (triangles, shape) = triangulate(&arrow, &mut MOST_TESTS.clone()).unwrap();
+/// assert_eq!((triangles, shape), (vec![[3, 0, 1], [1, 2, 3]], Shape::Simple));
+/// ```
+#[must_use]
+pub fn triangulate(points: &[DVec3], tests_left: &mut u64) -> Option<(Vec<[usize; 3]>, Shape)> {
     let fan = || (2..points.len()).map(|k| [0, k - 1, k]).collect();
     if points.len() == 3 {
         return Some((fan(), Shape::Simple));
@@ -242,7 +198,7 @@ mod tests {
     use super::*;
 
     fn cut_all(points: &[DVec3]) -> (Vec<[usize; 3]>, Shape) {
-        cut(points, &mut MOST_TESTS.clone()).expect("small")
+        triangulate(points, &mut MOST_TESTS.clone()).expect("small")
     }
 
     /// The signed area, seen from +z, of the triangles and of the least of them.
@@ -340,7 +296,7 @@ mod tests {
         let zigzag: Vec<_> = (0..3000).map(|k| dvec3(f64::from(k), f64::from(k % 2), 0.0)).collect();
         let around = [dvec3(3000.0, -9.0, 0.0), dvec3(0.0, -9.0, 0.0)];
         let points: Vec<_> = zigzag.into_iter().rev().chain(around.into_iter().rev()).collect();
-        assert!(cut(&points, &mut 1000).is_none());
+        assert!(triangulate(&points, &mut 1000).is_none());
         assert_eq!(cut_all(&points).0.len(), 3000);
     }
 }
