@@ -53,6 +53,7 @@ mod bins;
 mod blocks;
 mod edges;
 mod eight;
+mod plane;
 mod projected;
 mod small;
 mod vertices;
