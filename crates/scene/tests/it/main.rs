@@ -4,5 +4,6 @@ mod faults;
 mod hostile;
 mod laws;
 mod loading;
+mod planes;
 mod readme;
 mod views;
