@@ -15,7 +15,8 @@ pub enum Faces {
     /// Both: the slide's way, and the only one for surfaces with a border.
     #[default]
     Both,
-    /// Fronts only. On a closed surface around something solid no back is ever seen, and half the work is saved.
+    /// Fronts only. On a closed surface around something solid no back is seen, and half the work is saved. (Of both, a back is nearer in the very
+    /// few pixels whose center lies between the true outline and the snapped one.)
     Front,
 }
 
