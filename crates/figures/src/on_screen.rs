@@ -9,7 +9,7 @@ pub(crate) fn triangle(corners: [[f32; 3]; 3]) -> ScreenTriangle {
     let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
     ScreenTriangle {
         vertices: [0, 1, 2].map(|k| ScreenVertex {
-            position: Vec3::from(corners[k]),
+            position: Vec3::from(corners[k]).as_dvec3(),
             inv_w: -1.0,
             weights: weights[k],
         }),

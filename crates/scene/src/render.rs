@@ -112,6 +112,7 @@ fn render_by(
             show::picture(settings.show, (width, height), &seen, Loop::Objects, &mut notes)
         }
     };
+    notes.extend(prepared.cut_from(width, height).map(|distance| near_note(settings.renderer, distance)));
     let has_one_color = image.pixels().iter().all(|pixel| *pixel == prepared.background);
     if settings.show == Show::Color && has_one_color {
         is_empty = covers_nothing(version, prepared, settings)?;
@@ -287,6 +288,14 @@ fn rasterized(
     notes.extend(frame.painter.as_ref().and_then(painters_note));
     notes.extend(optics_note(prepared, settings));
     Ok(frame)
+}
+
+/// Says what a fitted near plane cuts off.
+fn near_note(renderer: Renderer, distance: f32) -> String {
+    format!(
+        "{renderer}: something comes within {distance:.1e} of the eye and is cut off there, since near and far are fitted to all objects; \
+         give the camera `near` and `far` to see it"
+    )
 }
 
 /// What a rasterizer leaves out, if anything.

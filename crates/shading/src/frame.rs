@@ -38,7 +38,7 @@ pub struct Visible {
 impl Visible {
     /// The record of a fragment of the triangle named (object, triangle); its normal is still to come.
     pub(crate) fn of_fragment((object, triangle): (usize, usize), fragment: &Fragment) -> Self {
-        Self { object, triangle, z: fragment.z, weights: fragment.weights, n_world: Vec3::ZERO }
+        Self { object, triangle, z: fragment.z as f32, weights: fragment.weights, n_world: Vec3::ZERO }
     }
 }
 

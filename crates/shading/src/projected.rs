@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use glam::Vec4;
+use glam::{DVec4, Vec3};
 use rayon::prelude::*;
 use transforms::Pipeline;
 use zbuffer::{ScreenTriangle, project_clip};
@@ -59,10 +59,11 @@ pub(crate) fn in_batches(world: &World, pipeline: &Pipeline, mut draw: impl FnMu
 }
 
 /// Each position of the mesh in clip space: through the world, as one triangle alone would go.
-fn clip_from_object(object: &Object, pipeline: &Pipeline) -> Vec<Vec4> {
-    let clip_from_world = pipeline.clip_from_world();
+fn clip_from_object(object: &Object, pipeline: &Pipeline) -> Vec<DVec4> {
+    let clip_from_world = pipeline.clip_from_world().as_dmat4();
     let positions = object.mesh.positions().par_iter().with_min_len(VERTICES_IN_A_TASK);
-    positions.map(|p| clip_from_world * object.world_from_object.transform_point3(*p).extend(1.0)).collect()
+    let p_world = |p: &Vec3| object.world_from_object.transform_point3(*p);
+    positions.map(|p| clip_from_world * p_world(p).as_dvec3().extend(1.0)).collect()
 }
 
 impl Batch {
@@ -70,7 +71,7 @@ impl Batch {
         object: usize,
         first: usize,
         triangles: &[[u32; 3]],
-        corners_clip: &[Vec4],
+        corners_clip: &[DVec4],
         pipeline: &Pipeline,
     ) -> Self {
         let (width, height) = (pipeline.width(), pipeline.height());
@@ -97,7 +98,7 @@ fn rows_of(triangle: &ScreenTriangle, width: u32, height: u32) -> Option<Range<u
     // Snapping moves a vertex by less than a pixel.
     let (least, greatest) = (a.min(b).min(c) - 1.0, a.max(b).max(c) + 1.0);
     let is_beside =
-        greatest.x < 0.0 || width as f32 <= least.x || greatest.y < 0.0 || height as f32 <= least.y;
+        greatest.x < 0.0 || f64::from(width) <= least.x || greatest.y < 0.0 || f64::from(height) <= least.y;
     // `as` turns negative numbers into 0.
     let rows = least.y as u32..(greatest.y as u32 + 1).min(height);
     (!is_beside && triangle.doubled_area() != 0).then_some(rows)

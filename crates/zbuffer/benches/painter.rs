@@ -18,7 +18,8 @@ const HEIGHT: u32 = 480;
 
 fn on_screen(corners: [Vec3; 3]) -> ScreenTriangle {
     let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
-    let vertex = |k: usize| ScreenVertex { position: corners[k], inv_w: -1.0, weights: weights[k] };
+    let vertex =
+        |k: usize| ScreenVertex { position: corners[k].as_dvec3(), inv_w: -1.0, weights: weights[k] };
     ScreenTriangle { vertices: [vertex(0), vertex(1), vertex(2)] }
 }
 
@@ -67,7 +68,7 @@ fn fill(triangles: &[ScreenTriangle], depth: &mut [f32]) {
     for triangle in triangles {
         rasterize_rows(triangle, WIDTH, 0..HEIGHT, |fragment| {
             let pixel = &mut depth[(fragment.j * WIDTH + fragment.i) as usize];
-            *pixel = pixel.max(fragment.z);
+            *pixel = pixel.max(fragment.z as f32);
         });
     }
 }

@@ -22,8 +22,11 @@ const SIDE: u32 = 1024;
 
 fn triangle(corners: [Vec3; 3]) -> ScreenTriangle {
     let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
-    let vertex =
-        |k: usize| ScreenVertex { position: corners[k], inv_w: -0.1 - 0.2 * k as f32, weights: weights[k] };
+    let vertex = |k: usize| ScreenVertex {
+        position: corners[k].as_dvec3(),
+        inv_w: -0.1 - 0.2 * k as f32,
+        weights: weights[k],
+    };
     ScreenTriangle { vertices: [0, 1, 2].map(vertex) }
 }
 
@@ -38,7 +41,7 @@ fn shapes() -> [(&'static str, ScreenTriangle); 4] {
 }
 
 fn sum(total: &mut f32, f: Fragment) {
-    *total += f.z + f.weights.beta;
+    *total += f.z as f32 + f.weights.beta;
 }
 
 fn fill(c: &mut Criterion) {
@@ -114,7 +117,7 @@ fn z_buffer(c: &mut Criterion) {
 }
 
 fn moved_away(vertex: ScreenVertex, layer: u16) -> ScreenVertex {
-    let z = 0.5 * vertex.position.z - 0.05 * f32::from(layer);
+    let z = 0.5 * vertex.position.z - 0.05 * f64::from(layer);
     ScreenVertex { position: vertex.position.with_z(z), ..vertex }
 }
 

@@ -6,7 +6,7 @@
 //! Visible points have clip **w < 0** here (E2): near, z ≤ +1 after the division, reads z ≥ w before it, and far reads z ≤ −w.
 
 use geometry::{Barycentric, Triangle};
-use glam::{DVec2, DVec3, DVec4, Mat4, Vec4};
+use glam::{DVec2, DVec3, DVec4, Mat4};
 
 use crate::screen::{ScreenTriangle, ScreenVertex};
 
@@ -52,7 +52,9 @@ const MOST_VERTICES: usize = 9;
 #[must_use]
 pub fn project(clip_from_world: &Mat4, width: u32, height: u32, triangle: &Triangle) -> ScreenPolygon {
     // From the world to clip space.
-    let corners = triangle.corners().map(|p_world| *clip_from_world * p_world.extend(1.0));
+    // In 64 bits: rounding z and w to 32 would cost as much as a step of a 24-bit depth buffer.
+    let clip_from_world = clip_from_world.as_dmat4();
+    let corners = triangle.corners().map(|p_world| clip_from_world * p_world.as_dvec3().extend(1.0));
     project_clip(corners, width, height)
 }
 
@@ -61,7 +63,7 @@ pub fn project(clip_from_world: &Mat4, width: u32, height: u32, triangle: &Trian
 /// # Panics
 /// If `width` or `height` is 0 or more than [`GREATEST_SIDE`].
 #[must_use]
-pub fn project_clip(corners: [Vec4; 3], width: u32, height: u32) -> ScreenPolygon {
+pub fn project_clip(corners: [DVec4; 3], width: u32, height: u32) -> ScreenPolygon {
     let viewport = Viewport::new(width, height);
     if !corners.iter().all(|corner| corner.is_finite()) {
         return ScreenPolygon::EMPTY;
@@ -84,7 +86,7 @@ pub struct ScreenPolygon {
 
 impl ScreenPolygon {
     const EMPTY: Self = Self {
-        vertices: [ScreenVertex { position: glam::Vec3::ZERO, inv_w: 0.0, weights: Barycentric::A };
+        vertices: [ScreenVertex { position: DVec3::ZERO, inv_w: 0.0, weights: Barycentric::A };
             MOST_VERTICES],
         count: 0,
     };
@@ -159,12 +161,26 @@ impl Viewport {
         let pixel = self.half_size * canonical.truncate() + self.center;
         // A vertex that was cut lies on its plane but for rounding.
         let pixel = pixel.clamp(DVec2::splat(-GUARD_BAND), DVec2::splat(GUARD_BAND));
-        let position = pixel.extend(canonical.z.clamp(-1.0, 1.0)).as_vec3();
+        let position = on_grid(pixel.extend(canonical.z.clamp(-1.0, 1.0)));
         let DVec3 { x, y, z } = vertex.weights;
         let weights = Barycentric { alpha: x as f32, beta: y as f32, gamma: z as f32 };
         let vertex = ScreenVertex { position, inv_w: inv_w as f32, weights };
         (inv_w < 0.0 && vertex.inv_w.is_finite() && position.is_finite()).then_some(vertex)
     }
+}
+
+/// A number added to a position and subtracted again rounds it to multiples of 2⁻³² pixel, since f64 has no finer ones between 2²⁰ and
+/// 2²¹: x and y up to [`GUARD_BAND`] stay below that.
+pub(crate) const PIXEL_GRID: f64 = 1.5 * (1 << 20) as f64;
+
+/// The same for depths, to multiples of 2⁻⁴⁸.
+pub(crate) const DEPTH_GRID: f64 = 1.5 * (1 << 4) as f64;
+
+/// Rounds a position to a grid so fine that no depth buffer shows it. Differences of positions are then exact, and what snapping
+/// leaves over fits in 32 bits, where the fast version keeps it.
+fn on_grid(position: DVec3) -> DVec3 {
+    let grid = DVec3::new(PIXEL_GRID, PIXEL_GRID, DEPTH_GRID);
+    position + grid - grid
 }
 
 /// A vertex in clip space. In 64 bits, so that where an edge is cut does not depend on how far away its ends are.
@@ -187,10 +203,10 @@ impl ClipPolygon {
         count: 0,
     };
 
-    fn triangle(corners: [Vec4; 3]) -> Self {
+    fn triangle(corners: [DVec4; 3]) -> Self {
         let mut polygon = Self::EMPTY;
         for (corner, weights) in corners.into_iter().zip(DVec3::AXES) {
-            polygon.push(ClipVertex { position: corner.as_dvec4(), weights });
+            polygon.push(ClipVertex { position: corner, weights });
         }
         polygon
     }
@@ -261,8 +277,9 @@ mod tests {
     fn the_viewport_is_that_of_the_lecture() {
         let v = screen_from_canonical(200, 100);
         let clip = [vec3(0.25, -0.5, 0.5), vec3(1.0, 0.0, -0.5), vec3(0.0, 0.75, 0.25)];
-        let polygon = project_clip(clip.map(|p| p.extend(1.0) * -1.0), 200, 100);
-        let positions: Vec<Vec3> = polygon.vertices().iter().map(|vertex| vertex.position).collect();
+        let polygon = project_clip(clip.map(|p| p.as_dvec3().extend(1.0) * -1.0), 200, 100);
+        let positions: Vec<Vec3> =
+            polygon.vertices().iter().map(|vertex| vertex.position.as_vec3()).collect();
         assert_eq!(positions, clip.map(|p| v.transform_point3(p)));
     }
 
@@ -302,7 +319,7 @@ mod tests {
         let t = Triangle::new(vec3(0.0, 0.0, -4.0), vec3(0.5, 0.0, -4.0), vec3(0.0, 0.5, -8.0));
         assert!(project(&parallel, 200, 100, &t).vertices().is_empty());
         let polygon = project(&(parallel * -1.0), 200, 100, &t);
-        assert_eq!(polygon.vertices()[1].position, vec3(149.5, 49.5, 0.5));
+        assert_eq!(polygon.vertices()[1].position.as_vec3(), vec3(149.5, 49.5, 0.5));
     }
 
     #[test]

@@ -80,7 +80,7 @@ impl DepthBuffer {
     /// # Panics
     /// If the pixel lies outside the buffer.
     #[inline]
-    pub fn test_and_set(&mut self, i: u32, j: u32, z: f32) -> bool {
+    pub fn test_and_set(&mut self, i: u32, j: u32, z: impl Into<f64>) -> bool {
         self.whole().test_and_set(i, j, z)
     }
 
@@ -148,7 +148,7 @@ impl DepthBand<'_> {
     /// # Panics
     /// If the pixel lies outside the band.
     #[inline]
-    pub fn test_and_set(&mut self, i: u32, j: u32, z: f32) -> bool {
+    pub fn test_and_set(&mut self, i: u32, j: u32, z: impl Into<f64>) -> bool {
         let index = self.index(i, j);
         let code = self.format.code(z);
         let nearer = code > self.codes[index];

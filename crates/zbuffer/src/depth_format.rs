@@ -5,7 +5,7 @@ use transforms::ViewVolume;
 /// How a depth is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DepthFormat {
-    /// As it is, an `f32`; any finite depth.
+    /// Rounded to an `f32`; any finite depth.
     F32,
     /// In 24 bits: canonical z, −1 to 1, rounded to the nearest of 2²⁴ − 1 equal steps.
     Bits24,
@@ -26,7 +26,7 @@ impl DepthFormat {
 
     /// The whole number that stands for depth `z`: the larger, the nearer. 0 stands for the farthest depth, and for NaN.
     ///
-    /// In 24 and 16 bits z is clamped to −1…1. In 32 bits nothing is lost.
+    /// In 24 and 16 bits z is clamped to −1…1. Of an `f32` nothing is lost in 32 bits; an `f64` is rounded once, whatever the format.
     ///
     /// ```
     /// use zbuffer::DepthFormat;
@@ -37,13 +37,14 @@ impl DepthFormat {
     /// ```
     #[must_use]
     #[inline]
-    pub fn code(self, z: f32) -> u32 {
+    pub fn code(self, z: impl Into<f64>) -> u32 {
+        let z: f64 = z.into();
         match self {
             Self::F32 if z.is_nan() => 0,
-            Self::F32 => ordered_bits(z),
-            // In f64 the 24 bits of z and those of the code fit without rounding; `as` turns NaN into 0.
+            Self::F32 => ordered_bits(z as f32),
+            // In f64 the 24 bits of the code fit many times over; `as` turns NaN into 0.
             Self::Bits24 | Self::Bits16 => {
-                (0.5 * (f64::from(z) + 1.0) * self.steps() + 0.5).clamp(0.0, self.steps()) as u32
+                (0.5 * (z + 1.0) * self.steps() + 0.5).clamp(0.0, self.steps()) as u32
             }
         }
     }

@@ -123,7 +123,7 @@ mod tests {
     fn triangle(z: f32, corners: [(f32, f32); 3]) -> ScreenTriangle {
         let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
         let vertex = |k: usize| ScreenVertex {
-            position: vec3(corners[k].0, corners[k].1, z),
+            position: vec3(corners[k].0, corners[k].1, z).as_dvec3(),
             inv_w: -1.0,
             weights: weights[k],
         };
@@ -153,7 +153,7 @@ mod tests {
         let mut depth = DepthBuffer::new(WIDTH, HEIGHT, DepthFormat::F32);
         let mut step = |polygon: &[ScreenTriangle]| {
             for triangle in polygon {
-                draw(triangle, |f| Rgb::splat(f.z), &mut image, &mut depth);
+                draw(triangle, |f| Rgb::splat(f.z as f32), &mut image, &mut depth);
             }
             grid(&depth)
         };

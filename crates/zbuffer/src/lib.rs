@@ -20,6 +20,7 @@ pub mod depth_format;
 pub mod draw;
 pub mod fast;
 pub mod painter;
+mod plane;
 pub mod rasterize;
 pub mod sample;
 pub mod screen;

@@ -15,6 +15,7 @@ use std::ops::Range;
 use geometry::Barycentric;
 use glam::{DVec3, I64Vec2};
 
+use crate::plane::depths_at_snapped;
 use crate::screen::{Fragment, GREATEST_PIXEL, SUBPIXELS, ScreenTriangle, ScreenVertex};
 
 /// Calls `draw` for every pixel of a `width` × `height` screen whose centre lies in the triangle: row by row upwards,
@@ -24,15 +25,18 @@ use crate::screen::{Fragment, GREATEST_PIXEL, SUBPIXELS, ScreenTriangle, ScreenV
 /// triangle whose snapped vertices lie on one line covers nothing. Snapping may turn a sliver thinner than 1/256 pixel over;
 /// it then lies on its neighbours and a sample there is drawn three times, but never not at all.
 ///
-/// - z is affine on the screen and never leaves the range of the vertices' z, however thin the triangle.
-/// - The weights are perspective-correct: 1/w is affine on the screen, camera depth is not (E9).
+/// - z is that of the plane through the vertices as they were projected, not as they were snapped, in every triangle of at least
+///   1/362 pixel in height. Where a snapped corner lies beside the triangle, z leaves the range of the vertices' z, but never by more than
+///   that range, however thin the triangle.
+/// - The weights are perspective-correct: 1/w is affine on the screen, camera depth is not (E9). They are those between the snapped
+///   vertices, so that none is ever negative; the point they name lies at most 1/362 pixel beside the pixel's center.
 ///
 /// ```
 /// use geometry::Barycentric;
-/// use glam::vec3;
+/// use glam::dvec3;
 /// use zbuffer::{ScreenTriangle, ScreenVertex, rasterize};
 ///
-/// let vertex = |x, y, z, weights| ScreenVertex { position: vec3(x, y, z), inv_w: -0.5, weights };
+/// let vertex = |x, y, z, weights| ScreenVertex { position: dvec3(x, y, z), inv_w: -0.5, weights };
 /// let vertices = [
 ///     vertex(1.0, 1.0, 0.2, Barycentric::A),
 ///     vertex(4.0, 1.0, 0.5, Barycentric::B),
@@ -95,6 +99,7 @@ pub(crate) struct Setup {
     highest: I64Vec2,
     /// 1 / (twice the area): turns edge functions into the affine weights of the vertices.
     inv_doubled_area: f64,
+    /// The depths of the plane in the snapped vertices.
     z: DVec3,
     least_z: f64,
     greatest_z: f64,
@@ -109,8 +114,9 @@ impl Setup {
         let [a, b, c] = anticlockwise(triangle)?;
         let corners = [a, b, c].map(|v| v.snapped());
         let [p_a, p_b, p_c] = corners;
-        let z = DVec3::new(a.position.z.into(), b.position.z.into(), c.position.z.into());
-        assert!(z.is_finite(), "a vertex has depth NaN or infinity: {triangle:?}");
+        let has_depth = [a, b, c].iter().all(|v| v.position.z.is_finite());
+        assert!(has_depth, "a vertex has depth NaN or infinity: {triangle:?}");
+        let z = depths_at_snapped([&a, &b, &c]);
         let inv_w = DVec3::new(a.inv_w.into(), b.inv_w.into(), c.inv_w.into());
         let one_sign = inv_w.min_element() > 0.0 || inv_w.max_element() < 0.0;
         assert!(one_sign && inv_w.is_finite(), "1/w must be of one sign and finite: {triangle:?}");
@@ -190,14 +196,14 @@ impl Setup {
     #[inline]
     fn fragment(&self, i: u32, j: u32, edges: [i64; 3]) -> Fragment {
         let areas = DVec3::new(edges[0] as f64, edges[1] as f64, edges[2] as f64);
-        // z is affine on the screen (E9). Rounding must not carry it past the vertices.
+        // z is affine on the screen (E9). Rounding must not carry it past the corners.
         let z = (areas.dot(self.z) * self.inv_doubled_area).clamp(self.least_z, self.greatest_z);
         // So are weights/w and 1/w; their quotient is the weights. All terms have one sign: nothing cancels.
         let [a, b, c] = self.weights_over_w;
         let weights = (areas.x * a + areas.y * b + areas.z * c) / areas.dot(self.inv_w);
         let weights = weights.as_vec3();
         let weights = Barycentric { alpha: weights.x, beta: weights.y, gamma: weights.z };
-        Fragment { i, j, z: z as f32, weights }
+        Fragment { i, j, z, weights }
     }
 }
 
@@ -271,13 +277,13 @@ fn pixels_between(lowest: i64, highest: i64, pixels: Range<u32>) -> Range<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::vec3;
+    use glam::dvec3;
 
-    fn triangle(corners: [(f32, f32, f32); 3]) -> ScreenTriangle {
+    fn triangle(corners: [(f64, f64, f64); 3]) -> ScreenTriangle {
         let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
         let vertex = |k: usize| {
             let (x, y, z) = corners[k];
-            ScreenVertex { position: vec3(x, y, z), inv_w: -0.5, weights: weights[k] }
+            ScreenVertex { position: dvec3(x, y, z), inv_w: -0.5, weights: weights[k] }
         };
         ScreenTriangle { vertices: [0, 1, 2].map(vertex) }
     }
@@ -300,12 +306,12 @@ mod tests {
 
     #[test]
     fn depth_and_weights_are_worked_out_by_hand() {
-        let t = triangle([(1.0, 1.0, 0.0), (9.0, 1.0, 0.8), (1.0, 5.0, 0.4)]);
+        let t = triangle([(1.0, 1.0, 0.0), (9.0, 1.0, 0.75), (1.0, 5.0, 0.5)]);
         let mut at_3_2 = None;
         rasterize(&t, 16, 12, |f| at_3_2 = if (f.i, f.j) == (3, 2) { Some(f) } else { at_3_2 });
-        // β = (3 − 1) / 8, γ = (2 − 1) / 4; z = ¼ · 0.8 + ¼ · 0.4.
+        // β = (3 − 1) / 8, γ = (2 − 1) / 4; z = ¼ · 0.75 + ¼ · 0.5.
         let weights = Barycentric { alpha: 0.5, beta: 0.25, gamma: 0.25 };
-        assert_eq!(at_3_2, Some(Fragment { i: 3, j: 2, z: 0.3, weights }));
+        assert_eq!(at_3_2, Some(Fragment { i: 3, j: 2, z: 0.3125, weights }));
     }
 
     #[test]
@@ -335,6 +341,6 @@ mod tests {
     #[test]
     #[should_panic(expected = "depth NaN")]
     fn a_depth_that_is_not_a_number_is_the_callers_mistake() {
-        pixels(&triangle([(1.0, 1.0, f32::INFINITY), (9.0, 1.0, 0.8), (1.0, 5.0, 0.4)]));
+        pixels(&triangle([(1.0, 1.0, f64::INFINITY), (9.0, 1.0, 0.8), (1.0, 5.0, 0.4)]));
     }
 }

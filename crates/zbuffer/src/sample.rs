@@ -24,20 +24,20 @@ pub struct Sample {
 ///
 /// ```
 /// use geometry::Barycentric;
-/// use glam::vec3;
+/// use glam::dvec3;
 /// use zbuffer::{ScreenTriangle, ScreenVertex, sample::sample};
 ///
-/// let vertex = |x, y, z, weights| ScreenVertex { position: vec3(x, y, z), inv_w: -0.5, weights };
+/// let vertex = |x, y, z, weights| ScreenVertex { position: dvec3(x, y, z), inv_w: -0.5, weights };
 /// let triangle = ScreenTriangle {
 ///     vertices: [
 ///         vertex(1.0, 1.0, 0.0, Barycentric::A),
-///         vertex(9.0, 1.0, 0.8, Barycentric::B),
-///         vertex(1.0, 5.0, 0.4, Barycentric::C),
+///         vertex(9.0, 1.0, 0.75, Barycentric::B),
+///         vertex(1.0, 5.0, 0.5, Barycentric::C),
 ///     ],
 /// };
 /// let inside = sample(&triangle, 3, 2).unwrap();
 /// assert_eq!(inside.screen_weights, [0.5, 0.25, 0.25]);
-/// assert_eq!(inside.fragment.unwrap().z, 0.3);
+/// assert_eq!(inside.fragment.unwrap().z, 0.3125);
 /// // On the lower side, which belongs to the triangle below.
 /// let below = sample(&triangle, 3, 1).unwrap();
 /// assert_eq!((below.edges[2], below.owns[2], below.fragment), (0, false, None));
@@ -74,13 +74,13 @@ mod tests {
     use super::*;
     use crate::{ScreenVertex, rasterize};
     use geometry::Barycentric;
-    use glam::vec3;
+    use glam::dvec3;
 
-    fn triangle(corners: [(f32, f32, f32); 3]) -> ScreenTriangle {
+    fn triangle(corners: [(f64, f64, f64); 3]) -> ScreenTriangle {
         let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
         let vertex = |k: usize| {
             let (x, y, z) = corners[k];
-            ScreenVertex { position: vec3(x, y, z), inv_w: -0.5 - 0.1 * k as f32, weights: weights[k] }
+            ScreenVertex { position: dvec3(x, y, z), inv_w: -0.5 - 0.1 * k as f32, weights: weights[k] }
         };
         ScreenTriangle { vertices: [0, 1, 2].map(vertex) }
     }

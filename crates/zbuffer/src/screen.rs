@@ -1,7 +1,7 @@
 //! What is left of a triangle once it is on the screen? Three vertices with a pixel position, a depth and 1/w.
 
 use geometry::Barycentric;
-use glam::{I64Vec2, Vec3};
+use glam::{DVec3, I64Vec2};
 
 /// The fraction bits of a pixel position: vertices are snapped to 1/256 pixel, as graphics hardware does.
 pub const SUBPIXEL_BITS: u32 = 8;
@@ -12,13 +12,15 @@ pub const SUBPIXELS: i64 = 1 << SUBPIXEL_BITS;
 /// The greatest distance from the screen's origin, in pixels, that a vertex may have. Clipping sees to it.
 ///
 /// A product of two differences of snapped positions then stays below 2^63: (2 · 2^20 · 2^8)² = 2^58.
-pub const GREATEST_PIXEL: f32 = (1 << 20) as f32;
+pub const GREATEST_PIXEL: f64 = (1 << 20) as f64;
 
 /// A vertex of a triangle on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScreenVertex {
     /// x and y in pixels (y upwards), and canonical z, −1 to 1, larger is nearer.
-    pub position: Vec3,
+    ///
+    /// In 64 bits: on a steep surface the rounding of x and y to 32 bits would show in a 24-bit depth buffer.
+    pub position: DVec3,
     /// 1 / w, w the depth in camera space (negative for visible points): affine on the screen, unlike w itself (E9).
     pub inv_w: f32,
     /// Where the vertex lies in the triangle that it comes from; after clipping that need not be a corner.
@@ -29,7 +31,7 @@ impl ScreenVertex {
     /// The position in 1/256 pixels, rounded. A function of x and y alone, so a shared vertex stays shared.
     #[must_use]
     pub fn snapped(&self) -> I64Vec2 {
-        let scaled = self.position.truncate().as_dvec2() * SUBPIXELS as f64;
+        let scaled = self.position.truncate() * SUBPIXELS as f64;
         I64Vec2::new(scaled.x.round() as i64, scaled.y.round() as i64)
     }
 }
@@ -57,8 +59,10 @@ pub struct Fragment {
     pub i: u32,
     /// The pixel's row, counted upwards.
     pub j: u32,
-    /// Canonical z at the pixel's centre, interpolated affinely on the screen (E9).
-    pub z: f32,
+    /// Canonical z at the pixel's center, interpolated affinely on the screen (E9).
+    ///
+    /// In 64 bits: between −1 and −½ a 32-bit number is only twice as fine as the steps of a 24-bit depth buffer.
+    pub z: f64,
     /// Where the surface point lies in the triangle it comes from: perspective-correct, so that attributes interpolated
     /// with it are right (E9).
     pub weights: Barycentric,

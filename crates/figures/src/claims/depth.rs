@@ -28,8 +28,8 @@ pub(super) static INTERPOLATED: Claim = Claim {
         let mut trials = Vec::new();
         for_each_fragment(&pipeline, 41, |triangle, fragment| {
             let true_z = pipeline.trace(triangle.point(fragment.weights)).canonical.map_or(f32::NAN, |p| p.z);
-            // Vertices snapped to 1/256 pixel carry the depth aside by as much: the slope is at most some tenths a pixel.
-            let holds = (fragment.z - true_z).abs() < 1e-3;
+            // The weights are those between vertices snapped to 1/256 pixel: the slope is at most some tenths a pixel.
+            let holds = (fragment.z as f32 - true_z).abs() < 1e-3;
             trials.push(Trial::new(holds, format!("z = {} at a pixel whose point has {true_z}", fragment.z)));
         });
         judge("canonical z between the vertices is that of the point seen there", None, &trials)

@@ -179,7 +179,8 @@ const NO_EQUAL_DEPTHS: &str = "no two z in a pixel are equal";
 
 fn has_equal_depths(triangles: &[ScreenTriangle]) -> bool {
     fragments(triangles, SIDE).values().any(|list| {
-        let mut depths: Vec<f32> = list.iter().map(|(_, fragment)| fragment.z).collect();
+        // As the buffer stores them.
+        let mut depths: Vec<f32> = list.iter().map(|(_, fragment)| fragment.z as f32).collect();
         depths.sort_by(f32::total_cmp);
         depths.windows(2).any(|two| two[0] == two[1])
     })

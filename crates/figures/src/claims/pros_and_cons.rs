@@ -98,7 +98,7 @@ pub(super) static ANY_NUMBER: Claim = Claim {
                     };
                     rasterize(&polygon, SIDE, SIDE, |f| {
                         let known = &mut nearest[(f.j * SIDE + f.i) as usize];
-                        *known = known.max(f.z);
+                        *known = known.max(f.z as f32);
                         depth.test_and_set(f.i, f.j, f.z);
                     });
                 }

@@ -158,7 +158,7 @@ fn edge_pair() -> Drawn {
         let ray = Ray::new(vec3(i as f32, j as f32, 2.0), Vec3::NEG_Z);
         let hits = squares.iter().zip(tests).flat_map(|(square, test)| square.iter().map(move |t| (t, test)));
         hits.filter(|(on_screen, test)| {
-            let [a, b, c] = on_screen.vertices.map(|v| v.position);
+            let [a, b, c] = on_screen.vertices.map(|v| v.position.as_vec3());
             test(&ray, &Triangle::new(a, b, c))
         })
         .count() as i32
@@ -221,7 +221,7 @@ type CameraZ = fn(&Pipeline, &ScreenTriangle, &Fragment) -> f32;
 
 /// Interpolates camera z over the pixels, like everything else.
 fn slide_camera_z(_: &Pipeline, on_screen: &ScreenTriangle, fragment: &Fragment) -> f32 {
-    let [a, b, c] = on_screen.vertices.map(|v| v.position.with_z(0.0));
+    let [a, b, c] = on_screen.vertices.map(|v| v.position.as_vec3().with_z(0.0));
     let pixel = vec3(fragment.i as f32, fragment.j as f32, 0.0);
     let [z_a, z_b, z_c] = on_screen.vertices.map(|v| v.inv_w.recip());
     Triangle::new(a, b, c).barycentric(pixel).map_or(z_a, |weights| weights.interpolate(z_a, z_b, z_c))
@@ -229,7 +229,7 @@ fn slide_camera_z(_: &Pipeline, on_screen: &ScreenTriangle, fragment: &Fragment)
 
 /// Interpolates z after the projection, and goes back to the camera.
 fn camera_z(pipeline: &Pipeline, _: &ScreenTriangle, fragment: &Fragment) -> f32 {
-    pipeline.canonical_from_camera().inverse().project_point3(vec3(0.0, 0.0, fragment.z)).z
+    pipeline.canonical_from_camera().inverse().project_point3(vec3(0.0, 0.0, fragment.z as f32)).z
 }
 
 fn floor(pipeline: &Pipeline, camera_z: CameraZ) -> Image {

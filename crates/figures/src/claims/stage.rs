@@ -64,7 +64,7 @@ fn slide_project(pipeline: &Pipeline, triangle: &Triangle) -> Option<ScreenTrian
     let vertex = |k: usize| {
         let w = clip[k].w;
         let position = pipeline.screen_from_canonical().transform_point3(clip[k].truncate() / w);
-        ScreenVertex { position, inv_w: w.recip(), weights: weights[k] }
+        ScreenVertex { position: position.as_dvec3(), inv_w: w.recip(), weights: weights[k] }
     };
     clip.iter()
         .all(|corner| slide_is_inside(*corner))

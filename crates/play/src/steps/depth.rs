@@ -117,11 +117,13 @@ fn comparisons(covered: &[Fragment], before: &DepthBuffer) -> Vec<Words> {
     let mut groups: Vec<(f32, f32, bool, usize)> = Vec::new();
     for fragment in covered {
         let stored = before.get(fragment.i, fragment.j);
-        let wins = stored.is_none_or(|stored| fragment.z > stored);
+        // As the buffer stores it.
+        let z = fragment.z as f32;
+        let wins = stored.is_none_or(|stored| z > stored);
         let stored = stored.unwrap_or(0.0);
-        match groups.iter_mut().find(|group| (group.0, group.1) == (fragment.z, stored)) {
+        match groups.iter_mut().find(|group| (group.0, group.1) == (z, stored)) {
             Some(group) => group.3 += 1,
-            None => groups.push((fragment.z, stored, wins, 1)),
+            None => groups.push((z, stored, wins, 1)),
         }
     }
     let line = |(z, stored, wins, n): (f32, f32, bool, usize)| {
@@ -152,7 +154,7 @@ fn step(words: Words, lines: Vec<Words>, depth: &DepthBuffer, depths: [f32; 3], 
     }
     if let Some(Now { triangle, ink, .. }) = now {
         // Pixel (i, j) is centred at (i, j); its cell begins half a pixel before.
-        let corners = triangle.vertices.map(|vertex| vertex.position.truncate() + 0.5);
+        let corners = triangle.vertices.map(|vertex| vertex.position.truncate().as_vec2() + 0.5);
         sheet.polygon(&corners, ink.pen());
     }
     Step::new(words).lines(lines).showing(Drawing::Lines(sheet::inside_a_page(&sheet.svg(&alt), &alt)))

@@ -93,9 +93,9 @@ fn test_of_hit<'a>(rasterized: &'a Loop, cast: &Cast) -> Option<&'a Test> {
 fn depth_tie(rasterized: &Loop, cast: &Cast) -> Option<Words> {
     let (ours, theirs) =
         (rasterized.shown.as_ref()?.fragment.z, test_of_hit(rasterized, cast)?.sample.fragment?.z);
-    // Both are f32s near the same number: a few of its steps.
-    let tie = (ours - theirs).abs() <= 16.0 * f32::EPSILON;
-    let difference = format!("{:.1e}", f64::from(ours) - f64::from(theirs));
+    // A few steps of the f32s that the buffer stores.
+    let tie = (ours - theirs).abs() <= 16.0 * f64::from(f32::EPSILON);
+    let difference = format!("{:.1e}", ours - theirs);
     tie.then(|| {
         Words::new(
             format!("Two surfaces are equally near, to within rounding (z differs by {difference}): the first drawn stays, and the ray tracer's rounding may choose the other."),

@@ -116,7 +116,7 @@ impl Loop {
             "visible": self.shown.as_ref().map(|shown| json!({
                 "object": shown.object,
                 "triangle": shown.triangle,
-                "z": number(shown.fragment.z),
+                "z": number(shown.fragment.z as f32),
             })),
             "shading": self.shown.as_ref().map(|shown| self.shading(subject, shown)),
         })
@@ -137,7 +137,7 @@ impl Loop {
             );
         };
         let name = subject.names.triangle(shown.object, shown.triangle);
-        let z = decimal(shown.fragment.z, 5);
+        let z = decimal(shown.fragment.z as f32, 5);
         Words::new(
             format!(
                 "Of {} triangles {tested} were tested here and {drawn} drawn; the last of these stays: {}, z = {z}.",
@@ -218,7 +218,7 @@ impl Test {
             "inside": fragment.is_some(),
             "screen_weights": screen_weights,
             "weights": weights,
-            "z": fragment.map(|fragment| number(fragment.z)),
+            "z": fragment.map(|fragment| number(fragment.z as f32)),
             "before": self.before.map(number),
             "nearer": fragment.map(|_| self.nearer),
             "words": words(&self.words()),
@@ -248,7 +248,7 @@ impl Test {
 
     fn words(&self) -> Words {
         let rule = self.rule();
-        let z = |z: f32| decimal(z, 5);
+        let z = |z: f64| decimal(z as f32, 5);
         let words = match (self.sample.fragment, self.before) {
             (None, _) => {
                 const EDGES: [&str; 3] = ["bc", "ca", "ab"];
@@ -267,12 +267,12 @@ impl Test {
                 format!("Erin; de eerste hier, z = {}: getekend.", z(f.z)),
             ),
             (Some(f), Some(before)) if self.nearer => Words::new(
-                format!("Inside; z = {} > {}: nearer, drawn.", z(f.z), z(before)),
-                format!("Erin; z = {} > {}: dichterbij, getekend.", z(f.z), z(before)),
+                format!("Inside; z = {} > {}: nearer, drawn.", z(f.z), z(before.into())),
+                format!("Erin; z = {} > {}: dichterbij, getekend.", z(f.z), z(before.into())),
             ),
             (Some(f), Some(before)) => Words::new(
-                format!("Inside; z = {} ≤ {}: not nearer, not drawn.", z(f.z), z(before)),
-                format!("Erin; z = {} ≤ {}: niet dichterbij, niet getekend.", z(f.z), z(before)),
+                format!("Inside; z = {} ≤ {}: not nearer, not drawn.", z(f.z), z(before.into())),
+                format!("Erin; z = {} ≤ {}: niet dichterbij, niet getekend.", z(f.z), z(before.into())),
             ),
         };
         Words::new(words.en + &rule.en, words.nl + &rule.nl)

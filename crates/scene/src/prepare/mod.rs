@@ -1,11 +1,12 @@
 //! What does a renderer need? Meshes instead of names, matrices instead of lists.
 
 mod part;
+mod planes;
 mod smoothing;
 
 use std::sync::Arc;
 
-use glam::Vec3;
+use glam::{DVec2, Vec3};
 use lighting::{Light, Rgb};
 use raytrace::Optics;
 use transforms::{Camera, Pipeline, ViewVolume};
@@ -14,6 +15,7 @@ use crate::limits::MOST_TRIANGLES;
 use crate::scene::{Lens, Scene, View};
 use crate::{Loaded, RenderError};
 pub(crate) use part::{Part, fitted};
+use planes::{Planes, Sight};
 
 /// A scene made ready: meshes built and shared, normals there, lights normalized. Renders any number of times.
 #[derive(Clone, Debug)]
@@ -27,8 +29,6 @@ pub struct Prepared {
     lens: Lens,
     /// The size for which the camera was described; a picture of another shape sees more.
     size: (u32, u32),
-    /// The w-coordinates of nearest and farthest point of all objects, both negative and apart.
-    extent: (f32, f32),
 }
 
 /// Makes a scene ready.
@@ -52,7 +52,6 @@ pub fn prepare(loaded: &Loaded) -> Result<Prepared, RenderError> {
     let view = scene.camera;
     let camera = Camera::look_at(view.eye, view.target, view.up)?;
     Ok(Prepared {
-        extent: extent(&camera, &parts),
         parts: Arc::new(parts),
         lights: scene.lights.iter().map(normalized).collect(),
         background: scene.background,
@@ -70,7 +69,7 @@ impl Prepared {
     /// [`RenderError`] if the camera has no direction or its gaze is along `up`.
     pub fn seen_by(&self, view: &View) -> Result<Self, RenderError> {
         let camera = Camera::look_at(view.eye, view.target, view.up)?;
-        Ok(Self { extent: extent(&camera, &self.parts), camera, lens: view.lens, ..self.clone() })
+        Ok(Self { camera, lens: view.lens, ..self.clone() })
     }
 
     /// What can be drawn but not well: objects so far from the origin that f32 rounds their shape visibly. One sentence each.
@@ -94,12 +93,10 @@ impl Prepared {
     /// [`RenderError`] if there is no pixel, or if the planes are so far apart that the matrices overflow.
     pub fn pipeline(&self, width: u32, height: u32) -> Result<Pipeline, RenderError> {
         let aspect = width as f32 / height.max(1) as f32;
-        let scenes_aspect = self.size.0 as f32 / self.size.1 as f32;
-        // How much wider and how much higher the window is than the scene's.
-        let (wider, higher) = ((aspect / scenes_aspect).max(1.0), (scenes_aspect / aspect).max(1.0));
+        let (wider, higher) = self.wider_and_higher(aspect);
         let volume = match self.lens {
             Lens::FieldOfView { degrees, near, far } => {
-                let (near, far) = self.planes(near, far);
+                let Planes { near, far, .. } = self.planes(aspect, degrees, (near, far));
                 let half = 0.5 * degrees.to_radians();
                 ViewVolume::from_fov_y(2.0 * (higher * half.tan()).atan(), aspect, near, far)?
             }
@@ -129,40 +126,28 @@ impl Prepared {
         self.parts.iter().flat_map(|part| &part.surfaces).any(|surface| surface.optics != Optics::Opaque)
     }
 
-    /// Near and far plane as given, or fitted to the objects where they are not.
-    fn planes(&self, near: Option<f32>, far: Option<f32>) -> (f32, f32) {
-        let (nearest, farthest) = self.extent;
-        let fitted_far = near.map_or(farthest, |near| farthest.min(2.0 * near));
-        let far = far.unwrap_or(fitted_far);
-        let near = near.unwrap_or_else(|| {
-            let fitted = if nearest > far { nearest } else { 0.5 * far };
-            fitted.min(far / FARTHEST_OVER_NEAREST)
-        });
-        (near, far)
+    /// How near the eye something visible is that no renderer shows, since the near plane was fitted and lies behind it.
+    pub(crate) fn cut_from(&self, width: u32, height: u32) -> Option<f32> {
+        let aspect = width as f32 / height.max(1) as f32;
+        match self.lens {
+            Lens::FieldOfView { degrees, near, far } => self.planes(aspect, degrees, (near, far)).cut_from,
+            Lens::Window(_) => None,
+        }
     }
-}
 
-/// How many times as far as the near plane the far plane may be fitted. Depth resolution is lost by this factor (L20): with
-/// 1000, a 16-bit buffer still tells apart 1.5 % of the depth at the far end.
-const FARTHEST_OVER_NEAREST: f32 = 1000.0;
-
-/// Room between the objects and the fitted planes, so that rounding cuts nothing off.
-const ROOM: f32 = 0.01;
-
-/// The w-coordinates between which all boxes around objects lie, as far as they lie before the eye.
-fn extent(camera: &Camera, parts: &[Part]) -> (f32, f32) {
-    let camera_from_world = camera.camera_from_world();
-    let w = |p_world: Vec3| camera_from_world.transform_point3(p_world).z;
-    let corners = parts.iter().flat_map(Part::corners_world);
-    let (farthest, nearest) =
-        corners.map(w).fold((f32::INFINITY, f32::NEG_INFINITY), |(far, near), w| (far.min(w), near.max(w)));
-    if farthest >= 0.0 || !farthest.is_finite() {
-        // Nothing to see; any volume will do.
-        return (-1.0, -10.0);
+    /// How much wider and how much higher the window of a picture of this shape is than the scene's.
+    fn wider_and_higher(&self, aspect: f32) -> (f32, f32) {
+        let scenes_aspect = self.size.0 as f32 / self.size.1 as f32;
+        ((aspect / scenes_aspect).max(1.0), (scenes_aspect / aspect).max(1.0))
     }
-    let far = (1.0 + ROOM) * farthest;
-    let near = (1.0 - ROOM) * nearest;
-    (near.min(far / FARTHEST_OVER_NEAREST), far)
+
+    /// Near and far plane of a picture of this shape, as given or fitted.
+    fn planes(&self, aspect: f32, degrees: f32, given: (Option<f32>, Option<f32>)) -> Planes {
+        let (_, higher) = self.wider_and_higher(aspect);
+        let slope = higher * (0.5 * degrees.to_radians()).tan();
+        let slopes = DVec2::new((aspect * slope).into(), slope.into());
+        Sight { camera: &self.camera, parts: &self.parts, slopes }.planes(given)
+    }
 }
 
 fn normalized(light: &Light) -> Light {

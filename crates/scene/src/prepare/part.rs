@@ -77,18 +77,35 @@ impl Part {
         raytrace::Shape::Mesh(traced.clone())
     }
 
-    /// The corners of the boxes around all copies.
-    pub(super) fn corners_world(&self) -> impl Iterator<Item = Vec3> + '_ {
+    /// The corners of the box around the mesh, object space; none if it is empty.
+    pub(super) fn box_corners(&self) -> impl Iterator<Item = Vec3> + use<> {
         let Aabb { min, max } = self.mesh.aabb();
         let corner = move |k: u32| {
             let side = |axis: usize| if k >> axis & 1 == 0 { min[axis] } else { max[axis] };
             Vec3::new(side(0), side(1), side(2))
         };
-        let is_empty = self.mesh.is_empty();
+        let count = if self.mesh.is_empty() { 0 } else { 8 };
+        (0..count).map(corner)
+    }
+
+    /// The corners of the boxes around all copies.
+    pub(super) fn corners_world(&self) -> impl Iterator<Item = Vec3> + '_ {
         self.world_from_object
             .iter()
-            .filter(move |_| !is_empty)
-            .flat_map(move |matrix| (0..8).map(move |k| matrix.transform_point3(corner(k))))
+            .flat_map(|matrix| self.box_corners().map(move |corner| matrix.transform_point3(corner)))
+    }
+
+    /// By how much the mesh has to be enlarged to hold all that the part stands for: of an exact ball, the mesh is inside.
+    pub(super) fn outwards(&self) -> f32 {
+        if !self.is_ball {
+            return 1.0;
+        }
+        let distance = |k: usize| {
+            let triangle = self.mesh.triangle(k);
+            triangle.corners()[0].dot(triangle.normal().unwrap_or_default()).abs()
+        };
+        let least = (0..self.mesh.len()).map(distance).fold(1.0, f32::min);
+        if least > 0.0 { 1.0 / least } else { 1.0 }
     }
 
     /// Says so if a copy lies so far from the origin that f32 rounds its shape visibly.

@@ -5,5 +5,6 @@ mod faults;
 mod hostile;
 mod laws;
 mod loading;
+mod planes;
 mod readme;
 mod views;

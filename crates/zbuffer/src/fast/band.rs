@@ -26,7 +26,7 @@ pub struct Band {
     pub(crate) depths: Vec<f32>,
     pub(crate) numbers: Vec<i32>,
     /// The large triangles of the band by their nearest depths.
-    large: Vec<(f32, Number, usize)>,
+    large: Vec<(f64, Number, usize)>,
     /// The farthest depth in each tile.
     pub(crate) farthest: Vec<f32>,
 }
@@ -152,7 +152,7 @@ impl Band {
                     projected.corners(chunk.part, parts[chunk.part].mesh, (number - first) as usize);
                 let edges = Edges::new(corners);
                 if edges.is_wider_than(TILE) {
-                    large.push((edges.nearest_vertex(), number, chunk.part));
+                    large.push((edges.nearest_corner(), number, chunk.part));
                 } else {
                     self.draw_in_blocks(simd, number, &edges);
                 }
@@ -172,7 +172,7 @@ impl Band {
         for chunk in projected.chunks_in(b) {
             let first = projected.first_number(chunk.part);
             let triangles = parts[chunk.part].mesh.triangles();
-            let vertices = projected.vertices_of(chunk.part);
+            let (vertices, rests) = (projected.vertices_of(chunk.part), projected.rests_of(chunk.part));
             for eight in chunk.small(b).chunks(8) {
                 // The last stands in for those that are missing: drawn twice, it changes nothing.
                 let mut numbers = [eight[eight.len() - 1]; 8];
@@ -181,7 +181,7 @@ impl Band {
                 for (corners, number) in corners.each.iter_mut().zip(&numbers) {
                     *corners = triangles[(number - first) as usize];
                 }
-                self.draw_eight(simd, &numbers, vertices, &corners);
+                self.draw_eight(simd, &numbers, (vertices, rests), &corners);
             }
         }
     }
@@ -192,7 +192,7 @@ impl Band {
         let (width, height, number) = (self.width, self.height, piece.number as i32);
         crate::rasterize_rows(&piece.on_screen, width, j, |fragment| {
             let pixel = self.pixel(fragment.i, height - 1 - fragment.j);
-            self.test_one(pixel, number, fragment.z);
+            self.test_one(pixel, number, fragment.z as f32);
         });
     }
 

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch, f32x8};
-use glam::Vec4;
+use glam::DVec4;
 
 use crate::fast::eight::{Corners, Eight, centers, is_small};
 use crate::fast::projected::{Faces, Number, Part};
@@ -159,9 +159,10 @@ impl Chunk {
     fn clip(&mut self, sorting: &Sorting, number: Number, corners: &[u32; 3]) {
         let to_screen = &sorting.to_screen;
         let positions = sorting.part.mesh.positions();
+        let clip_from_world = to_screen.clip_from_world.as_dmat4();
         let clip = corners.map(|index| {
             let p_world = to_screen.world_from_object.transform_point3(positions[index as usize]);
-            to_screen.clip_from_world * p_world.extend(1.0)
+            clip_from_world * p_world.as_dvec3().extend(1.0)
         });
         if is_beside(&clip) {
             return;
@@ -211,8 +212,8 @@ impl Piece {
         let [a, b, c] = self.on_screen.vertices.map(|vertex| vertex.position.y);
         // Snapping moves a vertex by less than a pixel.
         let (lowest, highest) = (a.min(b).min(c) - 1.0, a.max(b).max(c) + 1.0);
-        let top = height as f32 - 1.0;
-        let band = |j: f32| (top - j.clamp(0.0, top)) as u32 / BAND_ROWS;
+        let top = f64::from(height) - 1.0;
+        let band = |j: f64| (top - j.clamp(0.0, top)) as u32 / BAND_ROWS;
         (lowest <= top && highest >= 0.0).then(|| (band(highest), band(lowest)))
     }
 }
@@ -255,8 +256,8 @@ pub(crate) fn place(vertex: &Vertex) -> [f64; 2] {
 }
 
 /// Whether all corners lie beyond the same side of what is seen, so that nothing can be left.
-fn is_beside(clip: &[Vec4; 3]) -> bool {
-    let all = |test: fn(&Vec4) -> bool| clip.iter().all(test);
+fn is_beside(clip: &[DVec4; 3]) -> bool {
+    let all = |test: fn(&DVec4) -> bool| clip.iter().all(test);
     // Visible points have w < 0 and |x|, |y|, |z| ≤ −w; the pixels reach half a pixel less far than that. Before the near
     // plane is z < w, beyond the far one −z < w.
     all(|p| p.z < p.w)

@@ -145,7 +145,7 @@ impl<S: Simd> Block<S> {
     #[inline(always)]
     fn new(simd: S, number: Number, edges: &Edges) -> Self {
         let splat = |x: f64| f64x4::splat(simd, x);
-        let [a, b, c] = three!(k => edges.corners[k][2]);
+        let [a, b, c] = edges.depths;
         Self {
             number: i32x8::splat(simd, number as i32),
             thresholds: three!(k => splat(edges.threshold(k))),
@@ -154,10 +154,11 @@ impl<S: Simd> Block<S> {
                 f64x4::load_array(simd, [0.0, down, right, right + down])
             }),
             half_step: three!(k => splat(2.0 * edges.step_right(k))),
-            z: [splat(a.into()), splat(b.into()), splat(c.into())],
+            z: [splat(a), splat(b), splat(c)],
             inv_doubled_area: splat(edges.inv_doubled_area),
-            least_z: f32x8::splat(simd, a.min(b).min(c)),
-            greatest_z: f32x8::splat(simd, a.max(b).max(c)),
+            // Rounding keeps the order: bounds that are rounded bound what is rounded.
+            least_z: f32x8::splat(simd, a.min(b).min(c) as f32),
+            greatest_z: f32x8::splat(simd, a.max(b).max(c) as f32),
         }
     }
 

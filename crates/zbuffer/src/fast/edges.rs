@@ -1,7 +1,10 @@
 //! On which side of its three edges is a pixel, exactly? The slide's whole numbers, in f64, where they are exact too.
 
+use glam::{DVec2, DVec3};
+
 use crate::fast::bins::{doubled_area, place};
-use crate::fast::vertices::Vertex;
+use crate::fast::vertices::{Rest, Vertex};
+use crate::plane::followed;
 use crate::screen::SUBPIXELS;
 
 /// A triangle made ready for its pixels: as the slide's `Setup`, number for number.
@@ -9,6 +12,8 @@ use crate::screen::SUBPIXELS;
 pub(crate) struct Edges {
     /// The vertices, anticlockwise.
     pub(crate) corners: [Vertex; 3],
+    /// The depths of the plane in the snapped corners.
+    pub(crate) depths: [f64; 3],
     /// Where the edges bc, ca, ab start, and which way they go, in 1/256 pixels.
     from: [[f64; 2]; 3],
     along: [[f64; 2]; 3],
@@ -21,14 +26,17 @@ const STEP: f64 = SUBPIXELS as f64;
 impl Edges {
     /// The edges of a triangle with an area.
     #[inline(always)]
-    pub(crate) fn new([a, b, c]: [&Vertex; 3]) -> Self {
-        let area = doubled_area(a, b, c);
+    pub(crate) fn new([a, b, c]: [(&Vertex, &Rest); 3]) -> Self {
+        let area = doubled_area(a.0, b.0, c.0);
         let is_turned = area < 0.0;
-        let corners = if is_turned { [*a, *c, *b] } else { [*a, *b, *c] };
+        let turned = if is_turned { [a, c, b] } else { [a, b, c] };
+        let corners = three!(k => *turned[k].0);
+        let depths = depths(turned);
         let [a, b, c] = three!(k => place(&corners[k]));
         let along = |from: [f64; 2], to: [f64; 2]| [to[0] - from[0], to[1] - from[1]];
         Self {
             corners,
+            depths,
             from: [b, c, a],
             along: [along(b, c), along(c, a), along(a, b)],
             inv_doubled_area: 1.0 / area.abs(),
@@ -87,10 +95,10 @@ impl Edges {
         a.max(b).max(c) - a.min(b).min(c) > (STEP as f32) * columns as f32
     }
 
-    /// The greatest z of the vertices.
+    /// The greatest depth of a corner.
     #[inline(always)]
-    pub(crate) fn nearest_vertex(&self) -> f32 {
-        let [a, b, c] = three!(k => self.corners[k][2]);
+    pub(crate) fn nearest_corner(&self) -> f64 {
+        let [a, b, c] = self.depths;
         a.max(b).max(c)
     }
 
@@ -120,9 +128,9 @@ impl Edges {
     /// A depth that no pixel in these columns and rows exceeds.
     #[inline(always)]
     pub(crate) fn nearest(&self, columns: [u32; 2], rows: [f64; 2]) -> f64 {
-        /// Far more than what rounding does to a depth between −1 and 1.
+        /// Far more than what rounding does to a depth between −3 and 3.
         const SLACK: f64 = 1e-6;
-        let [a, b, c] = three!(k => f64::from(self.corners[k][2]));
+        let [a, b, c] = self.depths;
         let z_at = |i: u32, j: f64| {
             let at = self.at(f64::from(i), j);
             (at[0] * a + at[1] * b + at[2] * c) * self.inv_doubled_area
@@ -132,4 +140,13 @@ impl Edges {
         let lower = z_at(columns[0], rows[0]).max(z_at(columns[1], rows[0]));
         upper.max(lower).min(a.max(b).max(c)) + SLACK
     }
+}
+
+/// The depths of a triangle's plane in its snapped corners, from the same numbers as the slide's.
+#[inline(always)]
+fn depths(corners: [(&Vertex, &Rest); 3]) -> [f64; 3] {
+    let rest = |k: usize| DVec2::new(corners[k].1[0].into(), corners[k].1[1].into());
+    let projected = three!(k => DVec2::from_array(place(corners[k].0)) + rest(k));
+    let z = three!(k => f64::from(corners[k].0[2]) + f64::from(corners[k].1[2]));
+    followed(projected, three!(k => rest(k)), DVec3::from_array(z)).to_array()
 }

@@ -8,7 +8,8 @@
 //! one thread at 1920 × 1080 pixels:
 //!
 //! 1. **Each vertex once**, eight at a time, in the slide's own roundings; of a closed mesh six triangles share each. What has to be
-//!    clipped is marked and goes the slide's way ([`crate::project_clip`]).
+//!    clipped is marked and goes the slide's way ([`crate::project_clip`]). A vertex is kept in two rows of f32: where it was snapped to, and what
+//!    that left over, from which each triangle's plane is known as exactly as on the slide.
 //! 2. **Small triangles without a pixel centre are dropped** before anything else is done, eight at a time; what is left is sorted by bands
 //!    of 16 rows, whose depths stay near the processor. Bands are also what threads share out.
 //! 3. **Edge functions stay whole numbers.** In f64, or for triangles up to 8 pixels in f32, they are exact, so that the top-left
@@ -53,6 +54,7 @@ mod bins;
 mod blocks;
 mod edges;
 mod eight;
+mod plane;
 mod projected;
 mod small;
 mod vertices;

@@ -6,9 +6,10 @@ use fearless_simd::{Simd, f32x8, f64x4, i32x8, mask32x8};
 
 use crate::fast::band::Band;
 use crate::fast::blocks::{BLOCK, affine_z, keep_nearest};
-use crate::fast::eight::{Corners, Eight, centers};
+use crate::fast::eight::{Corners, Eight, centers, gather_columns};
+use crate::fast::plane::{Wide, followed};
 use crate::fast::projected::Number;
-use crate::fast::vertices::Vertex;
+use crate::fast::vertices::{Rest, Vertex};
 use crate::screen::SUBPIXELS;
 
 /// A triangle is tiny if its box has at most this many pixel centres in a row or a column.
@@ -21,14 +22,15 @@ impl Band {
         &mut self,
         simd: S,
         numbers: &[Number; 8],
-        vertices: &[Vertex],
+        (vertices, rests): (&[Vertex], &[Rest]),
         corners: &Corners,
     ) {
         let eight = Eight::gather(simd, vertices, corners);
         let columns = centers(simd, eight.extent(0), self.width);
         let rows = self.rows_within(simd, centers(simd, eight.extent(1), self.height));
         let limit = f32x8::splat(simd, TINY);
-        let setup = EightEdges::new(simd, &eight, columns[0], rows);
+        let rests = three!(k => gather_columns(simd, rests, corners, k));
+        let setup = EightEdges::new(simd, &eight, &rests, columns[0], rows);
         let is_tiny = (columns[1] - columns[0]).simd_lt(limit) & (rows[1] - rows[0]).simd_lt(limit);
         if is_tiny.any_true() {
             self.draw_tiny(numbers, &setup, is_tiny);
@@ -121,21 +123,33 @@ struct EightEdges<S: Simd> {
     step_right: [f32x8<S>; 3],
     step_up: [f32x8<S>; 3],
     thresholds: [f32x8<S>; 3],
-    z: [f32x8<S>; 3],
+    /// The depths of the planes in the snapped corners, and the least and the greatest of each three, rounded.
+    z: [Wide<S>; 3],
+    least_z: f32x8<S>,
+    greatest_z: f32x8<S>,
     doubled_area: f32x8<S>,
 }
 
 impl<S: Simd> EightEdges<S> {
     #[inline(always)]
-    fn new(simd: S, eight: &Eight<S>, first_column: f32x8<S>, [first_row, last_row]: [f32x8<S>; 2]) -> Self {
+    fn new(
+        simd: S,
+        eight: &Eight<S>,
+        rests: &[[f32x8<S>; 4]; 3],
+        first_column: f32x8<S>,
+        [first_row, last_row]: [f32x8<S>; 2],
+    ) -> Self {
         let (zero, one) = (f32x8::splat(simd, 0.0), f32x8::splat(simd, 1.0));
         let area = eight.doubled_area();
         let is_turned = area.simd_lt(zero);
-        let [a, b, c] = &eight.corners;
         // Anticlockwise, as the slide's rasterizer has them.
-        let corner =
-            |axis: usize| [a[axis], is_turned.select(c[axis], b[axis]), is_turned.select(b[axis], c[axis])];
-        let (x, y, z) = (corner(0), corner(1), corner(2));
+        let turned = |[a, b, c]: &[[f32x8<S>; 4]; 3], axis: usize| {
+            [a[axis], is_turned.select(c[axis], b[axis]), is_turned.select(b[axis], c[axis])]
+        };
+        let (x, y, z) = (turned(&eight.corners, 0), turned(&eight.corners, 1), turned(&eight.corners, 2));
+        let rests = [turned(rests, 0), turned(rests, 1), turned(rests, 2)];
+        let z = followed(simd, [x, y, z], rests);
+        let narrow = three!(k => z[k].0.narrow(z[k].1));
         let step = f32x8::splat(simd, SUBPIXELS as f32);
         let (px, py) = (first_column * step, first_row * step);
         // The edges bc, ca, ab: where they start, and which way they go.
@@ -155,6 +169,9 @@ impl<S: Simd> EightEdges<S> {
                 (is_left | is_top).select(zero, one)
             }),
             z,
+            // Rounding keeps the order: the least of the rounded is the least, rounded.
+            least_z: narrow[0].min(narrow[1]).min(narrow[2]),
+            greatest_z: narrow[0].max(narrow[1]).max(narrow[2]),
             doubled_area: area.abs(),
         }
     }
@@ -166,16 +183,13 @@ impl<S: Simd> EightEdges<S> {
             & at[2].simd_ge(self.thresholds[2])
     }
 
-    /// z with the slide's roundings: interpolated in f64, rounded to f32, kept within the vertices' (E9).
+    /// z with the slide's roundings: interpolated in f64, rounded to f32, kept within the corners' (E9).
     #[inline(always)]
     fn depths(&self, at: &[f32x8<S>; 3], inv: &(f64x4<S>, f64x4<S>)) -> f32x8<S> {
         let at = three!(k => at[k].widen());
-        let z = three!(k => self.z[k].widen());
-        let low = affine_z(three!(k => at[k].0), three!(k => z[k].0), inv.0);
-        let high = affine_z(three!(k => at[k].1), three!(k => z[k].1), inv.1);
-        let (least, greatest) =
-            (self.z[0].min(self.z[1]).min(self.z[2]), self.z[0].max(self.z[1]).max(self.z[2]));
-        low.narrow(high).max(least).min(greatest)
+        let low = affine_z(three!(k => at[k].0), three!(k => self.z[k].0), inv.0);
+        let high = affine_z(three!(k => at[k].1), three!(k => self.z[k].1), inv.1);
+        low.narrow(high).max(self.least_z).min(self.greatest_z)
     }
 }
 
@@ -188,7 +202,10 @@ struct Stored {
     step_right: [[f32; 8]; 3],
     step_up: [[f32; 8]; 3],
     thresholds: [[f32; 8]; 3],
-    z: [[f32; 8]; 3],
+    /// Of the first four triangles and of the others.
+    z: [[[f64; 4]; 2]; 3],
+    least_z: [f32; 8],
+    greatest_z: [f32; 8],
     doubled_area: [f32; 8],
 }
 
@@ -203,7 +220,9 @@ impl<S: Simd> EightEdges<S> {
             step_right: three!(k => self.step_right[k].to_array()),
             step_up: three!(k => self.step_up[k].to_array()),
             thresholds: three!(k => self.thresholds[k].to_array()),
-            z: three!(k => self.z[k].to_array()),
+            z: three!(k => [self.z[k].0.to_array(), self.z[k].1.to_array()]),
+            least_z: self.least_z.to_array(),
+            greatest_z: self.greatest_z.to_array(),
             doubled_area: self.doubled_area.to_array(),
         }
     }
@@ -231,8 +250,6 @@ impl<S: Simd> SmallBlock<S> {
         let columns = f32x8::load_array(simd, [0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 3.0, 3.0]);
         let down = f32x8::load_array(simd, [0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0]);
         let splat = |x: f32| f32x8::splat(simd, x);
-        let wide = |x: f32| f64x4::splat(simd, f64::from(x));
-        let [a, b, c] = three!(e => stored.z[e][k]);
         Self {
             number: i32x8::splat(simd, number as i32),
             at_lowest: three!(e => {
@@ -243,10 +260,10 @@ impl<S: Simd> SmallBlock<S> {
             two_up: three!(e => splat(2.0 * stored.step_up[e][k])),
             step: three!(e => splat(4.0 * stored.step_right[e][k])),
             thresholds: three!(e => splat(stored.thresholds[e][k])),
-            z: [wide(a), wide(b), wide(c)],
+            z: three!(e => f64x4::splat(simd, stored.z[e][k / 4][k % 4])),
             inv_doubled_area: f64x4::splat(simd, 1.0 / f64::from(stored.doubled_area[k])),
-            least_z: splat(a.min(b).min(c)),
-            greatest_z: splat(a.max(b).max(c)),
+            least_z: splat(stored.least_z[k]),
+            greatest_z: splat(stored.greatest_z[k]),
         }
     }
 

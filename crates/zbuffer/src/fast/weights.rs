@@ -4,11 +4,11 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x8, f64x4, mask32x8};
 
 use geometry::{Barycentric, Mesh};
-use glam::Vec3;
+use glam::DVec3;
 
 use crate::fast::eight::{Corners, Eight};
 use crate::fast::projected::{Number, Projected};
-use crate::fast::vertices::Vertex;
+use crate::fast::vertices::{Rest, Vertex};
 use crate::rasterize::Setup;
 use crate::screen::{SUBPIXELS, ScreenTriangle, ScreenVertex};
 
@@ -75,7 +75,7 @@ impl Singly {
 fn ready(projected: &Projected, mesh: &Mesh, number: Number) -> Vec<Setup> {
     let part = projected.part_of(number);
     let corners = projected.corners(part, mesh, (number - projected.first_number(part)) as usize);
-    if corners.iter().any(|vertex| vertex[0].is_nan()) {
+    if corners.iter().any(|(vertex, _)| vertex[0].is_nan()) {
         projected.pieces_of(number).iter().filter_map(|piece| Setup::new(&piece.on_screen)).collect()
     } else {
         Setup::new(&on_screen(corners)).into_iter().collect()
@@ -83,11 +83,11 @@ fn ready(projected: &Projected, mesh: &Mesh, number: Number) -> Vec<Setup> {
 }
 
 /// The triangle as the slide's rasterizer takes it.
-fn on_screen([a, b, c]: [&Vertex; 3]) -> ScreenTriangle {
-    let vertex = |vertex: &Vertex, weights: Barycentric| {
-        let [x, y, z, inv_w] = *vertex;
-        let pixels = 1.0 / SUBPIXELS as f32;
-        ScreenVertex { position: Vec3::new(x * pixels, y * pixels, z), inv_w, weights }
+fn on_screen([a, b, c]: [(&Vertex, &Rest); 3]) -> ScreenTriangle {
+    let vertex = |(vertex, rest): (&Vertex, &Rest), weights: Barycentric| {
+        let [x, y, z] = three!(k => f64::from(vertex[k]) + f64::from(rest[k]));
+        let pixels = 1.0 / SUBPIXELS as f64;
+        ScreenVertex { position: DVec3::new(x * pixels, y * pixels, z), inv_w: vertex[3], weights }
     };
     ScreenTriangle {
         vertices: [vertex(a, Barycentric::A), vertex(b, Barycentric::B), vertex(c, Barycentric::C)],

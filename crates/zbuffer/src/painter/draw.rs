@@ -17,7 +17,7 @@ use crate::screen::{Fragment, ScreenTriangle};
 /// # use geometry::Barycentric;
 /// # use zbuffer::{ScreenTriangle, ScreenVertex};
 /// # let triangle = |corners: [Vec3; 3]| ScreenTriangle {
-/// #     vertices: corners.map(|position| ScreenVertex { position, inv_w: -1.0, weights: Barycentric::A }),
+/// #     vertices: corners.map(|position| ScreenVertex { position: position.as_dvec3(), inv_w: -1.0, weights: Barycentric::A }),
 /// # };
 /// // A ramp that passes through a wall at x = 4.
 /// let ramp = triangle([vec3(0.0, -1.0, 0.4), vec3(8.0, -1.0, -0.4), vec3(0.0, 9.0, 0.4)]);

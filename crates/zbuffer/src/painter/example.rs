@@ -10,7 +10,7 @@ pub(super) fn triangle(corners: [[f32; 3]; 3]) -> ScreenTriangle {
     let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
     ScreenTriangle {
         vertices: [0, 1, 2].map(|k| ScreenVertex {
-            position: Vec3::from(corners[k]),
+            position: Vec3::from(corners[k]).as_dvec3(),
             inv_w: -1.0,
             weights: weights[k],
         }),

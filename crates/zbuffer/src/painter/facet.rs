@@ -5,6 +5,9 @@ use glam::{DVec2, DVec3, I64Vec2};
 use crate::screen::{GREATEST_PIXEL, SUBPIXELS, ScreenTriangle};
 
 /// A triangle that covers something: its corners on the 1/256-pixel grid, anticlockwise, and their depths.
+///
+/// The depths are those of the vertices, wherever they were snapped to: so neighbors in a mesh meet in their common edge, and neither
+/// hides the other. Fragments have the depth of the unsnapped plane instead; the two differ by at most √2/512 pixel of its slope.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Facet {
     pub(super) corners: [I64Vec2; 3],
@@ -37,7 +40,7 @@ impl Facet {
         let anticlockwise = if doubled_area < 0 { [a, c, b] } else { [a, b, c] };
         (doubled_area != 0).then(|| Self {
             corners: anticlockwise.map(|v| v.snapped()),
-            depths: anticlockwise.map(|v| f64::from(v.position.z)),
+            depths: anticlockwise.map(|v| v.position.z),
             doubled_area: doubled_area.abs(),
         })
     }

@@ -16,7 +16,7 @@ use crate::screen::ScreenTriangle;
 #[must_use]
 pub fn order_by_depth(triangles: &[ScreenTriangle]) -> Vec<usize> {
     let farthest =
-        |k: &usize| triangles[*k].vertices.map(|v| v.position.z).into_iter().fold(f32::INFINITY, f32::min);
+        |k: &usize| triangles[*k].vertices.map(|v| v.position.z).into_iter().fold(f64::INFINITY, f64::min);
     let mut order: Vec<usize> = (0..triangles.len()).collect();
     order.sort_by(|a, b| farthest(a).total_cmp(&farthest(b)));
     order
@@ -43,7 +43,7 @@ pub fn order_by_depth(triangles: &[ScreenTriangle]) -> Vec<usize> {
 /// # use geometry::Barycentric;
 /// # use zbuffer::{ScreenTriangle, ScreenVertex};
 /// # let triangle = |corners: [Vec3; 3]| ScreenTriangle {
-/// #     vertices: corners.map(|position| ScreenVertex { position, inv_w: -1.0, weights: Barycentric::A }),
+/// #     vertices: corners.map(|position| ScreenVertex { position: position.as_dvec3(), inv_w: -1.0, weights: Barycentric::A }),
 /// # };
 /// // Under the near end of a long floor, but nearer than its far end.
 /// let below = triangle([vec3(3.0, 1.0, 0.1), vec3(6.0, 1.0, 0.1), vec3(5.0, 2.0, 0.2)]);

@@ -41,7 +41,7 @@ pub enum Relation {
 /// # use geometry::Barycentric;
 /// # use zbuffer::{ScreenTriangle, ScreenVertex};
 /// # let triangle = |corners: [Vec3; 3]| ScreenTriangle {
-/// #     vertices: corners.map(|position| ScreenVertex { position, inv_w: -1.0, weights: Barycentric::A }),
+/// #     vertices: corners.map(|position| ScreenVertex { position: position.as_dvec3(), inv_w: -1.0, weights: Barycentric::A }),
 /// # };
 /// let floor = triangle([vec3(0.0, 0.0, 0.8), vec3(9.0, 0.0, 0.8), vec3(5.0, 7.0, -0.9)]);
 /// let below = triangle([vec3(3.0, 1.0, 0.1), vec3(6.0, 1.0, 0.1), vec3(5.0, 2.0, 0.2)]);

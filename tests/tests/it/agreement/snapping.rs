@@ -18,8 +18,7 @@ pub(crate) fn edges(stage: &Stage) -> Vec<(DVec2, DVec2)> {
         .map(|name| zbuffer::project(&clip_from_world, width, height, &stage.triangle(name)));
     polygons
         .flat_map(|polygon| {
-            let points: Vec<DVec2> =
-                polygon.vertices().iter().map(|v| v.position.truncate().as_dvec2()).collect();
+            let points: Vec<DVec2> = polygon.vertices().iter().map(|v| v.position.truncate()).collect();
             let next = |k: usize| points[(k + 1) % points.len()];
             points.iter().enumerate().map(|(k, p)| (*p, next(k))).collect::<Vec<_>>()
         })

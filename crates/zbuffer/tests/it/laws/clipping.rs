@@ -29,14 +29,14 @@ fn only_sound_vertices_leave() {
         .demand("something was cut", 0.1)
         .demand("a corner is not finite", 0.001)
         .holds_for([clip_corner(), clip_corner(), clip_corner()], |corners, seen| {
-            let polygon = project_clip(corners, WIDTH, HEIGHT);
+            let polygon = project_clip(corners.map(|c| c.as_dvec4()), WIDTH, HEIGHT);
             let count = polygon.vertices().len();
             seen.class("something is left", count > 0);
             seen.class("something was cut", count > 3);
             seen.class("a corner is not finite", !corners.iter().all(|c| c.is_finite()));
             let sound = |v: &ScreenVertex| {
                 let weights = v.weights.to_vec3();
-                f64::from(v.position.truncate().abs().max_element()) <= GUARD_BAND
+                v.position.truncate().abs().max_element() <= GUARD_BAND
                     && v.position.z.abs() <= 1.0
                     && v.inv_w < 0.0
                     && v.inv_w.is_finite()
@@ -82,7 +82,12 @@ fn a_triangle_inside_the_volume_goes_where_the_pipeline_says() {
                 let bound = 20.0 * f32::EPSILON * size / traced.clip.w.abs()
                     * WIDTH as f32
                     * (1.0 + traced.canonical.unwrap_or_default().length());
-                ensure_close("position", vertex.position, traced.screen.expect("w is not 0"), bound)?;
+                ensure_close(
+                    "position",
+                    vertex.position.as_vec3(),
+                    traced.screen.expect("w is not 0"),
+                    bound,
+                )?;
             }
             Ok(())
         },
@@ -107,20 +112,20 @@ fn a_shared_edge_is_cut_at_the_same_points_from_both_sides() {
     .demand("the edge is cut twice", 0.1)
     .holds_for([corner(), corner(), corner(), corner()], |[p, q, r, s], seen| {
         // Vertices without a share of the third corner lie on the edge.
-        let on_edge = |corners, third: usize| {
-            let polygon = project_clip(corners, WIDTH, HEIGHT);
+        let on_edge = |corners: [Vec4; 3], third: usize| {
+            let polygon = project_clip(corners.map(|c| c.as_dvec4()), WIDTH, HEIGHT);
             let mut bits: Vec<_> = polygon
                 .vertices()
                 .iter()
                 .filter(|v| v.weights.to_vec3()[third] == 0.0)
-                .map(|v| (v.position.to_array().map(f32::to_bits), v.inv_w.to_bits()))
+                .map(|v| (v.position.to_array().map(f64::to_bits), v.inv_w.to_bits()))
                 .collect();
             bits.sort_unstable();
             bits.dedup();
             bits
         };
         let one = on_edge([p, q, r], 2);
-        let ends = [p, q].map(|end| project_clip([end; 3], WIDTH, HEIGHT).vertices().len());
+        let ends = [p, q].map(|end| project_clip([end.as_dvec4(); 3], WIDTH, HEIGHT).vertices().len());
         seen.class("the edge is cut", !one.is_empty() && ends.contains(&0));
         seen.class("the edge is cut twice", !one.is_empty() && ends == [0, 0]);
         for (corners, third) in [([q, p, s], 2), ([p, s, q], 1), ([s, q, p], 0), ([r, p, q], 0)] {
@@ -205,8 +210,7 @@ fn no_crack_and_no_overlap_in_a_clipped_triangulation() {
         let crosses =
             |t: &[Vec3; 3]| t.iter().any(|p| p.z > volume.near) && t.iter().any(|p| p.z < volume.near);
         seen.class("a triangle crosses the near plane", corners.iter().any(crosses));
-        let at_guard =
-            |v: &ScreenVertex| f64::from(v.position.truncate().abs().max_element()) > 0.99 * GUARD_BAND;
+        let at_guard = |v: &ScreenVertex| v.position.truncate().abs().max_element() > 0.99 * GUARD_BAND;
         seen.class(
             "an uncut vertex would lie beyond the guard band",
             polygons().any(|p| p.vertices().iter().any(at_guard)),

@@ -74,9 +74,9 @@ fn the_fast_drawing_gives_the_slides_picture() {
             let new = || (Image::new(WIDTH, HEIGHT, Rgb::ZERO), DepthBuffer::new(WIDTH, HEIGHT, format));
             let (mut slide, mut fast) = (new(), new());
             for (triangle, color) in &triangles {
-                let work = draw(triangle, |f| *color * f.z, &mut slide.0, &mut slide.1);
+                let work = draw(triangle, |f| *color * f.z as f32, &mut slide.0, &mut slide.1);
                 seen.class("hidden fragments", work.colored < work.fragments && work.colored > 0);
-                let same = draw_fast(triangle, |f| *color * f.z, &mut fast.0, &mut fast.1) == work;
+                let same = draw_fast(triangle, |f| *color * f.z as f32, &mut fast.0, &mut fast.1) == work;
                 ensure(same, || "the work differs".to_owned())?;
             }
             ensure(slide == fast, || "the picture differs".to_owned())

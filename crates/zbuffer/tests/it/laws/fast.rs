@@ -59,7 +59,7 @@ fn slide(mesh: &Mesh, maps: &[Mat4], faces: Faces, pipeline: &Pipeline) -> Vec<S
                 }
                 rasterize(&part, width, height, |f| {
                     if depth.test_and_set(f.i, f.j, f.z) {
-                        seen[((height - 1 - f.j) * width + f.i) as usize] = Some((number, f.z));
+                        seen[((height - 1 - f.j) * width + f.i) as usize] = Some((number, f.z as f32));
                     }
                 });
             }

@@ -27,7 +27,7 @@ fn depth_is_affine_on_the_screen_and_stays_between_the_vertices() {
         .holds_for(triangle(), |triangle, seen| {
             let drawn = fragments(&triangle);
             seen.class("drawn", !drawn.is_empty());
-            let [a, b, c] = triangle.vertices.map(|v| v.position.as_dvec3());
+            let [a, b, c] = triangle.vertices.map(|v| v.position);
             // The plane n · (p − a) = 0, solved for z: another way than by edge functions.
             let n = (b - a).cross(c - a);
             let z_of =
@@ -36,8 +36,8 @@ fn depth_is_affine_on_the_screen_and_stays_between_the_vertices() {
             let (least, greatest) = (z[0].min(z[1]).min(z[2]), z[0].max(z[1]).max(z[2]));
             for f in &drawn {
                 ensure(least <= f.z && f.z <= greatest, || format!("{f:?} leaves {least}..{greatest}"))?;
-                // The rounding of z itself; the 64-bit errors of a plane this steep stay below 1e-9.
-                ensure_close("z", f.z, z_of(f) as f32, 2.0 * ROUNDING + 1e-9)?;
+                // The 64-bit errors of a plane this steep.
+                ensure((f.z - z_of(f)).abs() <= 1e-9, || format!("{f:?}, not {}", z_of(f)))?;
             }
             Ok(())
         });
@@ -72,7 +72,7 @@ fn weights_reproduce_the_screen_position() {
             let drawn = fragments(&triangle);
             seen.class("drawn", !drawn.is_empty());
             for f in drawn {
-                let [a, b, c] = triangle.vertices.map(|v| v.position.as_dvec3());
+                let [a, b, c] = triangle.vertices.map(|v| v.position);
                 let weights = f.weights.to_vec3().as_dvec3();
                 let p = (weights.x * a + weights.y * b + weights.z * c).as_vec3();
                 // Three rounded weights times coordinates of at most 54, and the rounding of the position itself.

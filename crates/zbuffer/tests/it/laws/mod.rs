@@ -3,11 +3,12 @@
 mod clipping;
 mod coverage;
 mod depth;
+mod exactness;
 mod fast;
 mod interpolation;
 
 use geometry::Barycentric;
-use glam::{I64Vec2, Vec3};
+use glam::I64Vec2;
 use proptest::prelude::*;
 use zbuffer::screen::SUBPIXELS;
 use zbuffer::{Fragment, ScreenTriangle, ScreenVertex};
@@ -25,10 +26,10 @@ fn position(reach: i64) -> impl Strategy<Value = I64Vec2> + Clone {
     (coordinate(WIDTH), coordinate(HEIGHT)).prop_map(|(x, y)| I64Vec2::new(x, y))
 }
 
-/// A vertex exactly at a snapped position. Below 2^24 snapped units, which is 2^16 pixels, an `f32` holds it exactly.
+/// A vertex exactly at a snapped position.
 fn vertex(p: I64Vec2, z: f32, inv_w: f32, weights: Barycentric) -> ScreenVertex {
-    let [x, y] = p.to_array().map(|snapped| snapped as f32 / SUBPIXELS as f32);
-    ScreenVertex { position: Vec3::new(x, y, z), inv_w, weights }
+    let place = p.as_dvec2() / SUBPIXELS as f64;
+    ScreenVertex { position: place.extend(z.into()), inv_w, weights }
 }
 
 /// A triangle of constant depth and w.

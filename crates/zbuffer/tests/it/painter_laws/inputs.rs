@@ -8,7 +8,8 @@ use zbuffer::{ScreenTriangle, ScreenVertex};
 
 pub(crate) fn on_screen(corners: [Vec3; 3]) -> ScreenTriangle {
     let weights = [Barycentric::A, Barycentric::B, Barycentric::C];
-    let vertex = |k: usize| ScreenVertex { position: corners[k], inv_w: -1.0, weights: weights[k] };
+    let vertex =
+        |k: usize| ScreenVertex { position: corners[k].as_dvec3(), inv_w: -1.0, weights: weights[k] };
     ScreenTriangle { vertices: [vertex(0), vertex(1), vertex(2)] }
 }
 
@@ -69,7 +70,9 @@ pub(crate) fn cycle_of_three() -> impl Strategy<Value = ([usize; 3], Vec<ScreenT
 pub(crate) fn seen_from(mesh: &Mesh, turn: Mat3) -> Vec<ScreenTriangle> {
     let corner = |p: Vec3| {
         let p = turn * p;
-        vec3(31.5 + 21.0 * p.x, 24.25 + 21.0 * p.y, 0.9 * p.z)
+        // On the grid that the order is decided on: beside its snapped outline a back is nearer than the front that it touches.
+        let on_grid = |pixel: f32| (pixel * 256.0).round() / 256.0;
+        vec3(on_grid(31.5 + 21.0 * p.x), on_grid(24.25 + 21.0 * p.y), 0.9 * p.z)
     };
     (0..mesh.len()).map(|k| on_screen(mesh.triangle(k).corners().map(corner))).collect()
 }

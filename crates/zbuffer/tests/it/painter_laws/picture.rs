@@ -10,7 +10,7 @@ pub(crate) const WIDTH: u32 = 64;
 pub(crate) const HEIGHT: u32 = 48;
 
 /// What each pixel shows: the triangle and its depth there.
-pub(crate) type Picture = Vec<Option<(usize, f32)>>;
+pub(crate) type Picture = Vec<Option<(usize, f64)>>;
 
 pub(crate) fn empty_picture() -> Picture {
     vec![None; (WIDTH * HEIGHT) as usize]
@@ -54,8 +54,8 @@ pub(crate) fn painted_by_plan(plan: &painter::Plan, triangles: &[ScreenTriangle]
 }
 
 /// How far two depths may lie apart where the painter shows another triangle than the depth buffer: the tolerance, and
-/// the rounding of two fragments' depths to f32, 2^−25 each.
-pub(crate) const DEPTH_BOUND: f64 = DEPTH_TOLERANCE + 2.0 * (f32::EPSILON as f64) / 4.0;
+/// some roundings of the two fragments' depths, far below 2^−40.
+pub(crate) const DEPTH_BOUND: f64 = DEPTH_TOLERANCE + 1e-12;
 
 /// Pixels with a triangle in them, and those of them where painter and depth buffer show different triangles.
 #[derive(Default)]
@@ -73,7 +73,7 @@ impl Pixels {
                 })?;
                 continue;
             };
-            let behind = f64::from(*z_best) - f64::from(*z);
+            let behind = *z_best - *z;
             ensure(behind <= DEPTH_BOUND, || {
                 format!("pixel {p} shows {k} at {z}, but {best} is nearer: {z_best}")
             })?;
