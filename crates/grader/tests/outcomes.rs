@@ -2,7 +2,8 @@
 
 mod bench;
 
-use bench::{Bench, in_function};
+use bench::{Bench, LOOPS, SLEEPS, in_function};
+use course::Late;
 use course::trial::Outcome as LawOutcome;
 use grader::{Forfeit, Outcome, Unreadable};
 
@@ -53,15 +54,34 @@ fn a_wrong_answer_is_shrunk_to_one_that_can_be_checked_by_hand() {
 
 #[test]
 fn an_endless_loop_is_timed_out() {
-    assert_eq!(of_body("loop { std::hint::spin_loop() }"), Outcome::TimedOut(2000));
+    assert_eq!(of_body("loop { std::hint::spin_loop() }"), LOOPS);
 }
 
 #[test]
-fn many_slow_answers_are_timed_out_as_a_whole() {
-    let body = "std::thread::sleep(std::time::Duration::from_millis(100));\n    Mat3::IDENTITY";
+fn a_program_that_waits_is_timed_out_and_told_so() {
+    let outcome = of_body("std::thread::sleep(std::time::Duration::from_secs(1000));\n    Mat3::IDENTITY");
+    assert_eq!(outcome, SLEEPS);
+    assert!(outcome.sentence().expect("words").contains("most of which it waited"), "{outcome:?}");
+}
+
+/// A right function whose every call computes for about so many milliseconds.
+fn slow(milliseconds: u32) -> Vec<u8> {
+    in_function(&format!(
+        "let mut x = p.x;\n    for _ in 0..{} {{ x = std::hint::black_box(x + 1.0); }}\n    \
+         Mat3::from_translation(p) * Mat3::from_angle(theta) * Mat3::from_translation(-p)",
+        milliseconds * 50_000
+    ))
+}
+
+#[test]
+fn many_slow_answers_are_timed_out_as_a_whole_and_no_law_counts() {
     let mut bench = Bench::new();
-    bench.limit_whole(std::time::Duration::from_secs(1));
-    assert_eq!(bench.judge(&in_function(body)).outcome, Outcome::TimedOut(1000));
+    bench.limit_whole(std::time::Duration::from_millis(150));
+    let judgement = bench.judge(&slow(5));
+    assert_eq!(judgement.outcome, Outcome::TimedOut(Late::Together(150)));
+    assert_eq!(judgement.points, 0);
+    // How far it came is chance, and so it is not said.
+    assert!(judgement.laws.iter().all(|law| law.outcome == LawOutcome::NotRun), "{:?}", judgement.laws);
 }
 
 #[test]

@@ -7,12 +7,21 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::time::Duration;
 
-use course::Exercise;
+use course::{Exercise, Late};
 use grader::{Build, Judge, Judgement, Kit, Opened, Outcome};
 use sandbox::Launcher;
 
 /// The line of the submission on which the function's body begins.
 pub(crate) const FIRST_LINE: u32 = 4;
+
+/// How long a call may take here: far longer than any of an exercise does.
+pub(crate) const A_CALL: Duration = Duration::from_millis(200);
+
+/// What comes of a call that computes without end.
+pub(crate) const LOOPS: Outcome = Outcome::TimedOut(Late::Computing(200));
+
+/// What comes of a call that waits without end.
+pub(crate) const SLEEPS: Outcome = Outcome::TimedOut(Late::Waiting(200));
 
 /// A judge with a folder of its own.
 pub(crate) struct Bench {
@@ -66,7 +75,8 @@ impl Bench {
 
     pub(crate) fn new() -> Self {
         let folder = tempfile::tempdir().expect("a folder");
-        let judge = Judge::in_folder(kit(), folder.path());
+        let mut judge = Judge::in_folder(kit(), folder.path());
+        judge.limits.time = A_CALL;
         Self { folder, judge }
     }
 
