@@ -4,6 +4,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use course::Exercise;
 use sandbox::Launcher;
@@ -76,13 +77,15 @@ const MAIN: &str = "main.rs";
 
 impl Compiler {
     /// Compiles students' files into one worker in `folder`; its functions are those of the parts, in their order. Rustc is confined if
-    /// there is a launcher.
+    /// there is a launcher, and may take `first` of a processor for the first file.
     pub(crate) fn worker(
         &self,
         parts: &[Part<'_>],
         folder: &Path,
+        first: Duration,
         launcher: Option<&Launcher>,
     ) -> Result<PathBuf, NotCompiled> {
+        let limit = rustc::time(first, parts.len());
         let folder = std::path::absolute(folder).map_err(failed)?;
         let worker = folder.join(format!("worker{}", std::env::consts::EXE_SUFFIX));
         let texts = parts.iter().map(|part| fs::read(part.file)).collect::<io::Result<Vec<_>>>().map_err(failed)?;
@@ -90,7 +93,7 @@ impl Compiler {
             return Err(refused);
         }
         lay_out(&texts, &main_file(parts, course::fingerprint(texts.concat())), &folder).map_err(failed)?;
-        let mut command = rustc::command(&self.kit, &folder, parts.len(), launcher);
+        let mut command = rustc::command(&self.kit, &folder, limit, launcher);
         command
             .args(["--edition", "2024", "--crate-name", "worker_of_a_student", "--crate-type", "bin"])
             // Debug assertions catch the overflow of an index; optimization would cost more than it gives.
@@ -115,7 +118,7 @@ impl Compiler {
             .arg("-o")
             .arg(&worker)
             .arg(folder.join(MAIN));
-        match rustc::run(command, parts.len()).map_err(failed)? {
+        match rustc::run(command, limit).map_err(failed)? {
             End::Made => Ok(worker),
             End::Refused(said) => Err(self.refused(said, parts)),
             End::TooLong(time) => Err(stopped(&format!("after {} s of computing", time.as_secs()))),

@@ -144,12 +144,13 @@ impl Judge {
     }
 
     fn compile(&self, parts: &[Part<'_>], folder: &Path) -> Result<PathBuf, NotCompiled> {
-        match (self.compiler.worker(parts, folder, self.sandbox.as_ref()), &self.memory) {
+        let first = self.limits.compiling;
+        match (self.compiler.worker(parts, folder, first, self.sandbox.as_ref()), &self.memory) {
             (Err(NotCompiled::OldKit), Some((memory, build))) => {
                 Kit::forget(memory);
                 let kit = Kit::remembered(&self.compiler.root, *build, memory)
                     .map_err(|e| NotCompiled::Failed(e.to_string()))?;
-                Compiler { kit, ..self.compiler.clone() }.worker(parts, folder, self.sandbox.as_ref())
+                Compiler { kit, ..self.compiler.clone() }.worker(parts, folder, first, self.sandbox.as_ref())
             }
             (result, _) => result,
         }
@@ -208,7 +209,7 @@ fn weigh(
     let forfeit = match &outcome {
         Outcome::Unsteady(_) => Some(Forfeit::Unsteady),
         Outcome::Exited(_) | Outcome::Crashed(_) => Some(Forfeit::Ended),
-        _ if gains && doubt::is_constant(exercise, &examination) => Some(Forfeit::Constant),
+        _ if gains && doubt::is_constant(exercise, blank.token.seed, &examination)? => Some(Forfeit::Constant),
         _ => None,
     };
     let wrong = matches!(outcome, Outcome::Wrong);

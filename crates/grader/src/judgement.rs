@@ -88,7 +88,7 @@ pub enum Forfeit {
     Unsteady,
     /// The function ended its process, or sent what is no answer.
     Ended,
-    /// The function gives one answer to every call.
+    /// The function gives one answer to nearly every call, and keeps no law that this answer alone would not keep.
     Constant,
 }
 
@@ -102,7 +102,9 @@ impl Forfeit {
             Self::Ended => {
                 "No points: an exercise returns a value, and leaves the process that runs it alone."
             }
-            Self::Constant => "No points: the answer is the same whatever the arguments are.",
+            Self::Constant => {
+                "No points: the answer is nearly always the same, and the laws that hold would hold if it always were."
+            }
         }
     }
 }

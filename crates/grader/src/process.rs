@@ -22,7 +22,7 @@ const LONGEST_WORDS: usize = 2000;
 /// each would take longer than the answer.
 const AT_ONCE: usize = 32 << 10;
 
-/// So much memory do the answers to one exercise take at most, in bytes. Those of a right program take a hundredth.
+/// So much memory do the answers to one exercise take at most, in bytes. Those of a right program take less than a tenth of it.
 const MOST_KEPT: usize = 32 << 20;
 
 /// What a worker may take. Time is what it computes, on all its processors together, and what it sleeps; waiting for a busy processor does not count.
@@ -32,14 +32,17 @@ pub struct Limits {
     pub time: Duration,
     /// For all calls of one exercise together.
     pub whole: Duration,
+    /// For the compiler, on the first file; a second more for each further file.
+    pub compiling: Duration,
     /// In bytes, of address space.
     pub memory: u64,
 }
 
 impl Default for Limits {
-    /// Two seconds a call, twenty for all, one GiB: far more than any exercise needs.
+    /// Two seconds a call, twenty for all, ten for the compiler, one GiB: far more than any exercise needs.
     fn default() -> Self {
-        Self { time: Duration::from_secs(2), whole: Duration::from_secs(20), memory: 1 << 30 }
+        let [time, whole, compiling] = [2, 20, 10].map(Duration::from_secs);
+        Self { time, whole, compiling, memory: 1 << 30 }
     }
 }
 

@@ -16,11 +16,8 @@ use crate::activity::activity;
 use crate::kit::Kit;
 use crate::running::KILLED;
 
-/// Computing time for one file, in seconds: forty times what an exercise takes on a desktop machine.
-const SECONDS: u64 = 10;
-
-/// As much more for each further file that is compiled with it.
-const SECONDS_MORE: u64 = 1;
+/// Processor time for each further file that is compiled with the first.
+const EACH_MORE: Duration = Duration::from_secs(1);
 
 /// Time between two looks at what it has computed.
 const LOOK: Duration = Duration::from_millis(100);
@@ -41,9 +38,9 @@ const HEARD: usize = 4 << 20;
 /// So much of it is passed on.
 const TOLD: usize = 64 << 10;
 
-/// What rustc may take of a processor for so many files.
-pub(crate) fn time(files: usize) -> Duration {
-    Duration::from_secs(SECONDS + SECONDS_MORE * files.saturating_sub(1) as u64)
+/// What rustc may take of a processor for so many files, if it may take `first` for one.
+pub(crate) fn time(first: Duration, files: usize) -> Duration {
+    first + EACH_MORE * files.saturating_sub(1) as u32
 }
 
 /// How rustc ended.
@@ -79,10 +76,10 @@ pub(crate) struct Said {
 }
 
 /// A command for rustc: confined to `folder`, and without the caller's environment, if there is a launcher.
-pub(crate) fn command(kit: &Kit, folder: &Path, files: usize, launcher: Option<&Launcher>) -> Command {
+pub(crate) fn command(kit: &Kit, folder: &Path, time: Duration, launcher: Option<&Launcher>) -> Command {
     let mut command = match launcher {
         Some(launcher) => {
-            let mut command = launcher.command(&confinement(kit, folder, files), &kit.rustc);
+            let mut command = launcher.command(&confinement(kit, folder, time), &kit.rustc);
             // What it is told a file can find out; so neither of the two says where anything of the caller's lies.
             command.env_clear().env("TMPDIR", ".").envs(path_of_the_system().map(|path| ("PATH", path)));
             command
@@ -105,8 +102,8 @@ fn path_of_the_system() -> Option<OsString> {
 }
 
 /// Rustc reads the toolchain and the libraries, starts a linker, and writes where it is told to.
-fn confinement(kit: &Kit, folder: &Path, files: usize) -> Confinement {
-    let takings = Takings { memory: MEMORY, cpu: time(files), file: FILE, open: 1024, ..Takings::default() };
+fn confinement(kit: &Kit, folder: &Path, time: Duration) -> Confinement {
+    let takings = Takings { memory: MEMORY, cpu: time, file: FILE, open: 1024, ..Takings::default() };
     let mut executable = sandbox::programs();
     executable.push(kit.sysroot.clone());
     executable.push(kit.rustc.clone());
@@ -120,14 +117,13 @@ fn confinement(kit: &Kit, folder: &Path, files: usize) -> Confinement {
 }
 
 /// Runs rustc to its end, or to that of its time. Where the system does not say what it computes, the clock decides, with much patience.
-pub(crate) fn run(mut command: Command, files: usize) -> io::Result<End> {
+pub(crate) fn run(mut command: Command, limit: Duration) -> io::Result<End> {
     let mut child = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn()?;
     let heard = listen(&mut child);
-    let limit = time(files);
     for _ in 0..PATIENCE {
         match heard.recv_timeout(LOOK) {
             // The linker and all else that it started ends with it.
-            Ok(words) => return judged(sandbox::finish(&mut child)?, &words, files),
+            Ok(words) => return judged(sandbox::finish(&mut child)?, &words, limit),
             Err(RecvTimeoutError::Disconnected) => {
                 sandbox::end(&mut child)?;
                 return Err(io::Error::other("what it says cannot be read"));
@@ -159,7 +155,7 @@ fn listen(child: &mut Child) -> mpsc::Receiver<Vec<u8>> {
     receiver
 }
 
-fn judged(status: ExitStatus, words: &[u8], files: usize) -> io::Result<End> {
+fn judged(status: ExitStatus, words: &[u8], limit: Duration) -> io::Result<End> {
     if status.success() {
         return Ok(End::Made);
     }
@@ -173,7 +169,7 @@ fn judged(status: ExitStatus, words: &[u8], files: usize) -> io::Result<End> {
         return Ok(End::TooMuch);
     }
     Ok(match system::signal(status) {
-        Some(signal) if system::is_out_of_time(signal) => End::TooLong(time(files)),
+        Some(signal) if system::is_out_of_time(signal) => End::TooLong(limit),
         // By whoever looks after the machine's memory, say.
         Some(KILLED) => return Err(io::Error::other("something on this machine ended it")),
         Some(_) => End::Broken,

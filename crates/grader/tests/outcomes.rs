@@ -255,6 +255,69 @@ fn a_function_that_remembers_is_unsteady_and_gains_nothing() {
 }
 
 #[test]
+fn a_constant_gains_nothing_by_failing_or_varying_in_some_calls() {
+    let bodies = [
+        "if theta > 3.0 { panic!(\"sometimes\") }\n    Mat3::IDENTITY",
+        "if theta > 3.0 { loop {} }\n    Mat3::IDENTITY",
+        "fn deep(n: u64) -> u64 { if n == u64::MAX { 0 } else { 1 + deep(n + 1) } }\n    if theta > 3.0 { deep(0); }\n    Mat3::IDENTITY",
+        "if theta.to_bits() % 41 == 0 { Mat3::ZERO } else { Mat3::IDENTITY }",
+        "if p.x.to_bits() % 7 == 3 { Mat3::from_angle(theta) } else { Mat3::IDENTITY }",
+    ];
+    let bench = Bench::new();
+    for judgement in bench.judge_bodies(&bodies) {
+        assert!(!matches!(judgement.outcome, Outcome::GraderError(_) | Outcome::Passed), "{judgement:?}");
+        assert_eq!((judgement.points, judgement.forfeit), (0, Some(Forfeit::Constant)), "{:?}", judgement.outcome);
+    }
+}
+
+/// While the grader judges, somebody stops it and lets it go on: Ctrl-Z and `fg`, again and again.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_grader_that_is_stopped_and_goes_on_takes_nobodys_points() {
+    let script = format!("for i in $(seq 30); do kill -STOP {0}; sleep 0.02; kill -CONT {0}; sleep 0.02; done", std::process::id());
+    let bench = Bench::new();
+    // It is never ended from here: that might leave this process stopped.
+    let mut stopping = std::process::Command::new("/bin/sh").args(["-c", &script]).spawn().expect("a shell");
+    let judgement = bench.judge(&slow(4));
+    stopping.wait().expect("it ends");
+    assert_eq!(judgement.outcome, Outcome::Passed, "{judgement:?}");
+    assert_eq!(judgement.points, judgement.of);
+}
+
+#[test]
+fn a_neighbour_that_burns_processors_takes_nobodys_time() {
+    use course::{Answerer, Reply};
+    use std::sync::atomic::{AtomicBool, Ordering};
+
+    let mut bench = Bench::new();
+    // By the clock each call takes far longer, beside so many threads.
+    bench.limit_call(std::time::Duration::from_millis(400));
+    let exercise = course::find("rotate_about_point").expect("the exercise");
+    let opened = bench.open(exercise, &slow(60)).expect("compiled");
+    let questions: Vec<_> = exercise.examples.iter().take(2).map(|it| it.arguments.clone()).collect();
+    let over = AtomicBool::new(false);
+    let replies = std::thread::scope(|scope| {
+        for _ in 0..16 {
+            scope.spawn(|| while !over.load(Ordering::Relaxed) {});
+        }
+        let replies = opened.ask().ask(&questions);
+        over.store(true, Ordering::Relaxed);
+        replies.expect("replies")
+    });
+    assert!(replies.iter().all(|reply| matches!(reply, Reply::Value(_))), "{replies:?}");
+}
+
+#[test]
+fn answers_that_together_take_too_much_memory_are_not_kept() {
+    let exercise = course::find("rasterize").expect("the exercise");
+    let body = "(0..3500).map(|at| Pixel { i: at, j: 7 }).collect()";
+    let judgement = Bench::new().judge_exercise(exercise, exercise.stub.replace("todo!()", body).as_bytes(), 1);
+    let Outcome::Crashed(how) = &judgement.outcome else { panic!("{:?}", judgement.outcome) };
+    assert!(how.contains("over 32 MiB"), "{how}");
+    assert_eq!(judgement.points, 0);
+}
+
+#[test]
 fn a_constant_keeps_laws_and_gains_nothing() {
     let judgement = Bench::new().judge(&in_function("Mat3::IDENTITY"));
     assert_eq!(judgement.outcome, Outcome::Wrong);

@@ -17,6 +17,9 @@ pub(crate) const FIRST_LINE: u32 = 4;
 /// How long a call may take here: far longer than any of an exercise does.
 pub(crate) const A_CALL: Duration = Duration::from_millis(200);
 
+/// How long the compiler may take here for one file: some five times what it does.
+pub(crate) const COMPILING: Duration = Duration::from_secs(2);
+
 /// What comes of a call that computes without end.
 pub(crate) const LOOPS: Outcome = Outcome::TimedOut(Late::Computing(200));
 
@@ -77,7 +80,13 @@ impl Bench {
         let folder = tempfile::tempdir().expect("a folder");
         let mut judge = Judge::in_folder(kit(), folder.path());
         judge.limits.time = A_CALL;
+        judge.limits.compiling = COMPILING;
         Self { folder, judge }
+    }
+
+    /// How long a call may take.
+    pub(crate) fn limit_call(&mut self, time: Duration) {
+        self.judge.limits.time = time;
     }
 
     /// How long all calls together may take.
@@ -128,14 +137,27 @@ impl Bench {
         self.judge.judge(exercise, &file, seed)
     }
 
-    /// Judges several files of one exercise at once.
+    /// Judges functions `rotate_about_point` of these bodies, compiled together.
+    pub(crate) fn judge_bodies(&self, bodies: &[&str]) -> Vec<Judgement> {
+        let sources: Vec<Vec<u8>> = bodies.iter().map(|body| in_function(body)).collect();
+        let exercise = course::find("rotate_about_point").expect("the exercise");
+        self.judge_mixed(&sources.iter().map(|source| (exercise, source.as_slice())).collect::<Vec<_>>())
+    }
+
+    /// Judges several files of one exercise, compiled together.
     pub(crate) fn judge_together(&self, exercise: &Exercise, sources: &[String]) -> Vec<Judgement> {
+        self.judge_mixed(&sources.iter().map(|source| (exercise, source.as_bytes())).collect::<Vec<_>>())
+    }
+
+    /// Judges files of any exercises, compiled together.
+    pub(crate) fn judge_mixed(&self, sources: &[(&Exercise, &[u8])]) -> Vec<Judgement> {
         let files: Vec<PathBuf> =
             (0..sources.len()).map(|at| self.folder.path().join(format!("submission_{at}.rs"))).collect();
-        for (file, source) in files.iter().zip(sources) {
+        let mut parts: Vec<(&Exercise, &Path)> = Vec::new();
+        for (file, (exercise, source)) in files.iter().zip(sources) {
             fs::write(file, source).expect("a file");
+            parts.push((exercise, file));
         }
-        let parts: Vec<(&Exercise, &Path)> = files.iter().map(|file| (exercise, file.as_path())).collect();
         self.judge.judge_all(&parts, 1)
     }
 }
