@@ -75,7 +75,9 @@ impl Examination {
 
     /// Whether every law holds.
     pub fn passed(&self) -> bool {
-        !self.not_started && self.exhausted.is_none() && self.laws.iter().all(|law| matches!(law.outcome, Outcome::Kept(_)))
+        !self.not_started
+            && self.exhausted.is_none()
+            && self.laws.iter().all(|law| matches!(law.outcome, Outcome::Kept(_)))
     }
 
     /// The counterexample to show.

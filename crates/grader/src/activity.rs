@@ -19,7 +19,9 @@ pub(crate) fn activity(process: u32) -> Option<Activity> {
     let threads = std::fs::read_dir(format!("{folder}/task")).ok()?.flatten();
     let asleep = threads
         .map(|thread| std::fs::read_to_string(thread.path().join("stat")).unwrap_or_default())
-        .all(|stat| fields(&stat).and_then(|mut fields| fields.next()).is_none_or(|state| "SZXI".contains(state)));
+        .all(|stat| {
+            fields(&stat).and_then(|mut fields| fields.next()).is_none_or(|state| "SZXI".contains(state))
+        });
     Some(Activity { computed: TICK * computed, asleep })
 }
 

@@ -53,7 +53,8 @@ pub(crate) enum NotCompiled {
 impl NotCompiled {
     /// That rustc accepts the files and yet makes no program of them; with what it says, if that may be shown.
     pub(crate) fn unlinked(words: Option<String>) -> Self {
-        let message = words.unwrap_or_else(|| "error: no program can be made of the file: linking it fails\n".to_owned());
+        let message = words
+            .unwrap_or_else(|| "error: no program can be made of the file: linking it fails\n".to_owned());
         let note = "Is something in it very large, or defined nowhere?".to_owned();
         Self::Refused { message, note: Some(note), blamed: Vec::new() }
     }
@@ -88,7 +89,8 @@ impl Compiler {
         let limit = rustc::time(first, parts.len());
         let folder = std::path::absolute(folder).map_err(failed)?;
         let worker = folder.join(format!("worker{}", std::env::consts::EXE_SUFFIX));
-        let texts = parts.iter().map(|part| fs::read(part.file)).collect::<io::Result<Vec<_>>>().map_err(failed)?;
+        let texts =
+            parts.iter().map(|part| fs::read(part.file)).collect::<io::Result<Vec<_>>>().map_err(failed)?;
         if let Some(refused) = self.forbidden(parts, &texts) {
             return Err(refused);
         }
@@ -141,7 +143,8 @@ impl Compiler {
             })
             .unzip();
         let note = "Compute the answer from the arguments alone; a name that happens to be this word can be changed.";
-        let refused = NotCompiled::Refused { message: messages.concat(), note: Some(note.to_owned()), blamed };
+        let refused =
+            NotCompiled::Refused { message: messages.concat(), note: Some(note.to_owned()), blamed };
         (!messages.is_empty()).then_some(refused)
     }
 

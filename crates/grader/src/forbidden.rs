@@ -18,12 +18,14 @@ pub(crate) struct Forbidden<'a> {
 /// The first word of a file that is refused.
 pub(crate) fn first(text: &str) -> Option<Forbidden<'_>> {
     // The compiler ignores a first line that names an interpreter, whatever quotes stand in it.
-    let body = if text.trim_start_matches('\u{feff}').starts_with("#!") { text.find('\n').unwrap_or(0) } else { 0 };
+    let body =
+        if text.trim_start_matches('\u{feff}').starts_with("#!") { text.find('\n').unwrap_or(0) } else { 0 };
     [0, body].into_iter().find_map(|from| {
         let tokens = tokens(&text[from..]);
-        let (at, reaches) = tokens.iter().enumerate().find_map(|(at, token)| {
-            Some((at, reaches(token.text, tokens.get(at + 1))?))
-        })?;
+        let (at, reaches) = tokens
+            .iter()
+            .enumerate()
+            .find_map(|(at, token)| Some((at, reaches(token.text, tokens.get(at + 1))?)))?;
         let Token { text: word, at } = tokens[at];
         let before = &text[..from + at];
         let line = 1 + before.matches('\n').count();
@@ -66,7 +68,10 @@ mod tests {
             ("fn f() { core::arch::naked_asm!(\"ret\") }", "naked_asm"),
             ("use std::arch::{global_asm as g}; g!(\".incbin \\\"/etc/passwd\\\"\");", "global_asm"),
             ("macro_rules! m { () => { r#asm!(\"\") } }", "asm"),
-            ("macro_rules! m { ($a:ident) => { #[$a = \"x\"] static S: u8 = 1; } } m!(link_section);", "link_section"),
+            (
+                "macro_rules! m { ($a:ident) => { #[$a = \"x\"] static S: u8 = 1; } } m!(link_section);",
+                "link_section",
+            ),
             ("unsafe extern \"C\" { safe fn missing(); }", "extern"),
             ("#[macro_export] macro_rules! stringify { () => {} }", "macro_export"),
             ("const P: Option<&str> = option_env!(\"PATH\");", "option_env"),
@@ -95,7 +100,12 @@ mod tests {
             }
             assert_eq!(first(exercise.stub), None, "{}", exercise.name);
         }
-        for text in ["let env = 1; let include = env;", "std::env::args()", "// asm!\nlet s = \"extern\";", "#![allow(dead_code)]"] {
+        for text in [
+            "let env = 1; let include = env;",
+            "std::env::args()",
+            "// asm!\nlet s = \"extern\";",
+            "#![allow(dead_code)]",
+        ] {
             assert_eq!(first(text), None, "{text}");
         }
     }

@@ -128,7 +128,8 @@ impl Judge {
             .map_err(|e| {
                 NotCompiled::Failed(format!("no folder for the worker in {}: {e}", self.scratch.display()))
             })?;
-        let program = self.compile(parts, folder.path()).map_err(|error| self.explained(error, parts, &folder))?;
+        let program =
+            self.compile(parts, folder.path()).map_err(|error| self.explained(error, parts, &folder))?;
         Ok(Worker { program, _folder: folder })
     }
 
@@ -201,15 +202,15 @@ fn weigh(
     let mut fresh = process();
     let gains = examination.points() > 0 && !matches!(outcome, Outcome::Exited(_) | Outcome::Crashed(_));
     // Nothing is to be gained by answering twice where nothing is gained.
-    if gains
-        && let Some(twice) = doubt::unsteady(&examination, &mut fresh)?
-    {
+    if gains && let Some(twice) = doubt::unsteady(&examination, &mut fresh)? {
         outcome = Outcome::Unsteady(Box::new(twice));
     }
     let forfeit = match &outcome {
         Outcome::Unsteady(_) => Some(Forfeit::Unsteady),
         Outcome::Exited(_) | Outcome::Crashed(_) => Some(Forfeit::Ended),
-        _ if gains && doubt::is_constant(exercise, blank.token.seed, &examination)? => Some(Forfeit::Constant),
+        _ if gains && doubt::is_constant(exercise, blank.token.seed, &examination)? => {
+            Some(Forfeit::Constant)
+        }
         _ => None,
     };
     let wrong = matches!(outcome, Outcome::Wrong);

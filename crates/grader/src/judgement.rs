@@ -181,9 +181,7 @@ impl Outcome {
             Self::Panicked(panic) => panicked(panic),
             Self::TimedOut(late) => timed_out(*late),
             Self::OutOfMemory => "The call below asked for more memory than any exercise needs.".to_owned(),
-            Self::TooManyThreads => {
-                "The call below started more threads than any exercise needs.".to_owned()
-            }
+            Self::TooManyThreads => "The call below started more threads than any exercise needs.".to_owned(),
             Self::StackOverflow => {
                 "The call below filled its stack: a function calls itself without end.".to_owned()
             }

@@ -1,9 +1,8 @@
 //! How is a worker asked, and how does one see that it will not answer any more?
 
-use std::io::{self, BufReader, Write};
+use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::ExitStatus;
-use std::thread;
 use std::time::Duration;
 
 use course::{Answerer, Exercise, Fault, Late, Loss, Reply, Value};
@@ -18,12 +17,9 @@ use crate::running::{KILLED, NotBegun, Running, Timed, last_resort};
 /// A panic's message is kept up to so many characters.
 const LONGEST_WORDS: usize = 2000;
 
-/// So many bytes of questions are sent before the first answer is read: a channel holds more. Shrinking asks one question at a time, and a thread for
-/// each would take longer than the answer.
-const AT_ONCE: usize = 32 << 10;
-
-/// So much memory do the answers to one exercise take at most, in bytes. Those of a right program take less than a tenth of it.
-const MOST_KEPT: usize = 32 << 20;
+/// Bytes of questions that may be under way. A channel holds more, so sending does not wait, and a worker always has something to do. With a thread that
+/// sends all at once, a worker could seem to sleep where that thread only waits for a processor.
+const UNDER_WAY: usize = if cfg!(target_os = "linux") { 32 << 10 } else { 4 << 10 };
 
 /// What a worker may take. Time is what it computes, on all its processors together, and what it sleeps; waiting for a busy processor does not count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,13 +32,15 @@ pub struct Limits {
     pub compiling: Duration,
     /// In bytes, of address space.
     pub memory: u64,
+    /// In bytes, of the grader's memory, for all answers of one exercise together.
+    pub answers: usize,
 }
 
 impl Default for Limits {
-    /// Two seconds a call, twenty for all, ten for the compiler, one GiB: far more than any exercise needs.
+    /// Two seconds a call, twenty for all, ten for the compiler, one GiB, 32 MiB of answers: far more than any exercise needs.
     fn default() -> Self {
         let [time, whole, compiling] = [2, 20, 10].map(Duration::from_secs);
-        Self { time, whole, compiling, memory: 1 << 30 }
+        Self { time, whole, compiling, memory: 1 << 30, answers: 32 << 20 }
     }
 }
 
@@ -116,13 +114,13 @@ impl Process {
         (Printed { out: out.output(), err: err.output() }, surplus)
     }
 
-    /// Questions as bytes, one behind the other.
-    fn asking(&self, questions: &[Vec<Value>]) -> io::Result<Vec<u8>> {
-        let mut bytes = Vec::new();
-        for arguments in questions {
-            wire::ask(&mut bytes, self.function, arguments)?;
-        }
-        Ok(bytes)
+    /// Questions as bytes.
+    fn packed(&self, questions: &[Vec<Value>]) -> io::Result<Vec<Vec<u8>>> {
+        let packed = |arguments: &Vec<Value>| {
+            let mut bytes = Vec::new();
+            wire::ask(&mut bytes, self.function, arguments).map(|()| bytes)
+        };
+        questions.iter().map(packed).collect()
     }
 
     /// What became of the worker that fell silent.
@@ -134,7 +132,7 @@ impl Process {
             Silence::Late(late) => return Ok(Loss::TimedOut(late)),
             Silence::Stuck(why) => return Err(Fault(format!("a call does not go on: {why}"))),
             Silence::TooMuch => {
-                let limit = MOST_KEPT >> 20;
+                let limit = self.limits.answers >> 20;
                 return Ok(Loss::Crashed(format!("its answers together take over {limit} MiB")));
             }
             other => other,
@@ -175,19 +173,30 @@ impl Process {
         }
     }
 
-    /// Reads the answers to questions. What cannot be asked is the error of a reply.
-    fn read(
+    /// Sends questions and reads the answers to them. What cannot be asked is the error of a reply.
+    fn converse(
         &mut self,
         answers: &mut BufReader<Timed>,
         questions: &[Vec<Value>],
+        packed: &[Vec<u8>],
         replies: &mut Vec<Result<Reply, Fault>>,
     ) -> Result<(), Silence> {
-        for question in questions {
+        let mut unsent = packed.iter().peekable();
+        let mut under_way = 0;
+        for (question, bytes) in questions.iter().zip(packed) {
+            while let Some(next) =
+                unsent.next_if(|next| under_way == 0 || under_way + next.len() <= UNDER_WAY)
+            {
+                under_way += next.len();
+                let sent = answers.get_mut().send(next);
+                sent.map_err(|e| silence(e, answers.get_ref().late))?;
+            }
             let Answered { answer, computed } = match wire::receive(answers) {
                 Ok(Some(answered)) => answered,
                 Ok(None) => return Err(Silence::Closed),
                 Err(e) => return Err(silence(e, answers.get_ref().late)),
             };
+            under_way -= bytes.len();
             if let Some(late) = answers.get_mut().answered(computed) {
                 return Err(Silence::Late(late));
             }
@@ -200,7 +209,7 @@ impl Process {
         Ok(match answer {
             Answer::Value(value) => {
                 self.kept += value.memory();
-                if self.kept > MOST_KEPT {
+                if self.kept > self.limits.answers {
                     return Err(Silence::TooMuch);
                 }
                 Ok(Reply::Value(value))
@@ -267,25 +276,8 @@ impl Answerer for Process {
             Err(NotBegun::Lost(loss)) => return Ok(vec![Reply::Lost(loss)]),
         };
         let mut replies = Vec::with_capacity(questions.len());
-        let asking = self.asking(questions).map_err(|e| Fault(format!("a question cannot be sent: {e}")))?;
-        let mut channel =
-            running.channel.try_clone().map_err(|e| Fault(format!("no channel to the worker: {e}")))?;
-        // A worker that is gone is noticed by the one who reads.
-        let ended = if asking.len() <= AT_ONCE {
-            let _ = channel.write_all(&asking);
-            self.read(&mut running.answers, questions, &mut replies)
-        } else {
-            thread::scope(|scope| {
-                // Written by a thread of its own: with both ends full, each would wait for the other.
-                scope.spawn(move || channel.write_all(&asking));
-                let ended = self.read(&mut running.answers, questions, &mut replies);
-                if ended.is_err() {
-                    // So that the thread that writes comes to an end.
-                    let _ = running.channel.shutdown(std::net::Shutdown::Both);
-                }
-                ended
-            })
-        };
+        let packed = self.packed(questions).map_err(|e| Fault(format!("a question cannot be sent: {e}")))?;
+        let ended = self.converse(&mut running.answers, questions, &packed, &mut replies);
         match ended {
             Ok(()) => self.running = Some(running),
             Err(silence) => {

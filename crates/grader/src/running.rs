@@ -1,6 +1,6 @@
 //! How does a worker begin and end?
 
-use std::io::{self, BufRead, BufReader, ErrorKind, Read};
+use std::io::{self, BufRead, BufReader, ErrorKind, Read, Write};
 use std::net::Shutdown;
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
@@ -41,7 +41,7 @@ pub(crate) struct Running {
     outputs: Vec<JoinHandle<()>>,
 }
 
-/// The answers' end of a channel. Reading from it waits as long as the worker's meter lets it.
+/// A channel whose reading and writing wait as long as the worker's meter lets them.
 #[derive(Debug)]
 pub(crate) struct Timed {
     channel: Channel,
@@ -58,14 +58,35 @@ pub(crate) struct Timed {
 impl Timed {
     fn new(channel: Channel, meter: Meter) -> io::Result<Self> {
         channel.set_read_timeout(Some(LOOK))?;
+        channel.set_write_timeout(Some(LOOK))?;
         let looks = TO_BEGIN.as_millis() / LOOK.as_millis();
-        Ok(Self { channel, meter, late: None, to_begin: Some(looks as u32), pieces: 0, looked: Instant::now() })
+        Ok(Self {
+            channel,
+            meter,
+            late: None,
+            to_begin: Some(looks as u32),
+            pieces: 0,
+            looked: Instant::now(),
+        })
     }
 
     /// The worker says with its answer what it has computed so far. Gives the limit that the call has reached; the next answer is due.
     pub(crate) fn answered(&mut self, computed: Duration) -> Option<Late> {
         self.pieces = 0;
         self.meter.answered(computed)
+    }
+
+    /// Sends bytes. Whether the worker is gone is left to who reads.
+    pub(crate) fn send(&mut self, mut bytes: &[u8]) -> io::Result<()> {
+        while !bytes.is_empty() {
+            match self.channel.write(bytes) {
+                Ok(sent) => bytes = &bytes[sent..],
+                Err(e) if e.kind() == ErrorKind::Interrupted => {}
+                Err(e) if is_time_to_look(&e) => self.look()?,
+                Err(_) => return Ok(()),
+            }
+        }
+        Ok(())
     }
 
     fn look(&mut self) -> io::Result<()> {
@@ -95,11 +116,16 @@ impl Read for Timed {
             match self.channel.read(buffer) {
                 // The grader was stopped and goes on.
                 Err(e) if e.kind() == ErrorKind::Interrupted => {}
-                Err(e) if matches!(e.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => self.look()?,
+                Err(e) if is_time_to_look(&e) => self.look()?,
                 read => return read,
             }
         }
     }
+}
+
+/// True if nothing came, or nothing could be sent, for the time between two looks.
+fn is_time_to_look(error: &io::Error) -> bool {
+    matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut)
 }
 
 /// Why a worker does not run.

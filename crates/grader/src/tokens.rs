@@ -73,7 +73,9 @@ impl<'a> Reader<'a> {
         let at = self.at();
         if self.takes('"') {
             let end = format!("\"{}", "#".repeat(hashes));
-            let end = self.text[self.at()..].find(&end).map_or(self.text.len(), |found| self.at() + found + end.len());
+            let end = self.text[self.at()..]
+                .find(&end)
+                .map_or(self.text.len(), |found| self.at() + found + end.len());
             while self.rest.next_if(|(at, _)| *at < end).is_some() {}
             return None;
         }

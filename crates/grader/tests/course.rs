@@ -11,9 +11,13 @@ use grader::{Judgement, Outcome};
 const TOGETHER: usize = 60;
 
 /// Judges these programs as students' files, many in one worker.
-fn judged<'a>(bench: &Bench, programs: &'a [Submission]) -> impl Iterator<Item = (&'a Submission, Judgement)> {
+fn judged<'a>(
+    bench: &Bench,
+    programs: &'a [Submission],
+) -> impl Iterator<Item = (&'a Submission, Judgement)> {
     programs.chunks(TOGETHER).flat_map(|some| {
-        let files: Vec<(&Exercise, &[u8])> = some.iter().map(|it| (it.exercise, it.text.as_bytes())).collect();
+        let files: Vec<(&Exercise, &[u8])> =
+            some.iter().map(|it| (it.exercise, it.text.as_bytes())).collect();
         some.iter().zip(bench.judge_mixed(&files))
     })
 }

@@ -1,8 +1,8 @@
 //! Does everything arrive as it was sent, and nothing that was never sent?
 
 use glam::{Mat3, vec2, vec3};
-use vocabulary::{Ray, Triangle2};
 use std::time::Duration;
+use vocabulary::{Ray, Triangle2};
 
 use worker::wire::{self, Answer, Answered, Panic, Question};
 use worker::{Plain, Value};

@@ -99,6 +99,11 @@ impl Bench {
         self.judge.limits.memory = memory;
     }
 
+    /// How much memory all answers together may take.
+    pub(crate) fn limit_answers(&mut self, answers: usize) {
+        self.judge.limits.answers = answers;
+    }
+
     pub(crate) fn folder(&self) -> &Path {
         self.folder.path()
     }

@@ -16,8 +16,10 @@ fn with_channel(act: &str) -> String {
 
 /// Sends an answer of one's own.
 fn forged(answer: &str) -> String {
-    with_channel(&format!("let answer = worker::wire::Answer::{answer}; \
-         worker::wire::send(&mut channel, &worker::wire::Answered {{ answer, computed: std::time::Duration::ZERO }}).unwrap()"))
+    with_channel(&format!(
+        "let answer = worker::wire::Answer::{answer}; \
+         worker::wire::send(&mut channel, &worker::wire::Answered {{ answer, computed: std::time::Duration::ZERO }}).unwrap()"
+    ))
 }
 
 #[test]
@@ -28,7 +30,9 @@ fn bytes_that_no_honest_worker_sends_are_a_crash() {
         // The beginning of one, which the honest answer completes.
         with_channel("channel.write_all(&[9, 0, 0, 0, 3]).unwrap()"),
         // Another beginning of all.
-        with_channel("worker::wire::send(&mut channel, &worker::wire::Ready { computed: std::time::Duration::ZERO }).unwrap()"),
+        with_channel(
+            "worker::wire::send(&mut channel, &worker::wire::Ready { computed: std::time::Duration::ZERO }).unwrap()",
+        ),
         // Eight megabytes of nonsense.
         with_channel("channel.write_all(&vec![7; 8 << 20]).unwrap()"),
         // The fault of whoever asked, it says.

@@ -90,7 +90,9 @@ fn the_compiler_knows_nothing_that_a_file_could_tell() {
         format!("macro_rules! ask {{ ($i:ident) => {{ $i!(\"{name}\") }} }}\n    panic!(\"{{}}\", ask!(env))")
     };
     assert_outcomes(&[&ask("PATH"), &ask("TMPDIR")], |outcome| match outcome {
-        Outcome::Panicked(panic) => panic.message == "." || !panic.message.contains(&home) && !panic.message.contains("target"),
+        Outcome::Panicked(panic) => {
+            panic.message == "." || !panic.message.contains(&home) && !panic.message.contains("target")
+        }
         _ => false,
     });
 }

@@ -63,7 +63,8 @@ fn threads_without_end_are_refused_in_one_way_however_they_are_started() {
         format!("std::thread::scope(|scope| loop {{ scope.spawn({park}); }})"),
         format!("std::thread::spawn(|| loop {{ std::thread::spawn({park}); }}).join().unwrap(); {RIGHT}"),
         "fn bomb() { loop { std::thread::spawn(bomb); } }\n    bomb();\n    Mat3::IDENTITY".to_owned(),
-        "loop { std::thread::spawn(|| { let much = vec![1_u8; 3000]; std::thread::park(); drop(much); }); }".to_owned(),
+        "loop { std::thread::spawn(|| { let much = vec![1_u8; 3000]; std::thread::park(); drop(much); }); }"
+            .to_owned(),
     ];
     assert_outcomes(&bodies.each_ref().map(String::as_str), |outcome| *outcome == Outcome::TooManyThreads);
 }
@@ -95,9 +96,10 @@ fn no_process_is_started_by_a_bomb_of_processes() {
 fn files_without_end_are_refused() {
     let body = "use std::os::fd::AsFd;\n    let mut all = Vec::new();\n    \
                 loop { all.push(std::io::stdin().as_fd().try_clone_to_owned().unwrap()); }";
-    assert_outcomes(&[body], |outcome| {
-        matches!(outcome, Outcome::Panicked(panic) if panic.message.contains("Too many open files"))
-    });
+    assert_outcomes(
+        &[body],
+        |outcome| matches!(outcome, Outcome::Panicked(panic) if panic.message.contains("Too many open files")),
+    );
 }
 
 #[test]
