@@ -10,7 +10,7 @@ use std::{env, fs, io};
 use class::format::Format;
 use class::report;
 
-#[path = "../tests/made_up/mod.rs"]
+#[path = "../tests/it/made_up/mod.rs"]
 mod made_up;
 
 fn main() -> io::Result<()> {

@@ -7,6 +7,7 @@ use std::fmt::Debug;
 use proptest::strategy::Strategy;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestError, TestRunner};
 
+use crate::effort::effort;
 use crate::fingerprint::fingerprint;
 
 /// What checking one input gives: `Ok`, or how the law failed. The macros `prop_assert!` and friends return it.
@@ -15,7 +16,8 @@ pub type Outcome = Result<(), TestCaseError>;
 /// A sentence that must hold for every input of a strategy.
 ///
 /// The inputs are the same in every run: the seed comes from the sentence. The environment variable
-/// `PROPTEST_RNG_SEED` chooses other ones, `PROPTEST_CASES` another number of them.
+/// `PROPTEST_RNG_SEED` chooses other ones, `PROPTEST_CASES` another number of them. With [`NIGHTLY`](crate::NIGHTLY) set, a law is
+/// tried on [`Law::NIGHTLY_FACTOR`] times as many inputs.
 ///
 /// [`Law::demand`] asks for coverage: of all inputs tried, at least the given share must fall in a class. A law about
 /// rays that hit says little if one ray in a thousand does.
@@ -50,6 +52,9 @@ impl Classes {
 impl Law {
     /// The number of inputs unless [`Law::cases`] says otherwise.
     pub const CASES: u32 = 256;
+
+    /// How many times more inputs the nightly script tries.
+    pub const NIGHTLY_FACTOR: u32 = 16;
 
     /// A law, by the sentence that it states.
     pub fn new(sentence: &str) -> Self {
@@ -124,7 +129,7 @@ impl Law {
         let from_environment = Config::default();
         let mut config = from_environment.clone();
         if std::env::var_os("PROPTEST_CASES").is_none() {
-            config.cases = self.cases;
+            config.cases = self.cases.saturating_mul(effort(1, Self::NIGHTLY_FACTOR));
         }
         if matches!(from_environment.rng_seed, RngSeed::Random) {
             config.rng_seed = RngSeed::Fixed(fingerprint(self.sentence.bytes()));

@@ -6,6 +6,7 @@
 //! - [`by_hand`]: inputs that a person can check with pencil and paper.
 //! - [`close`](mod@close): comparisons with a bound that the caller derives.
 //! - [`fingerprint`]: a number for some bytes, the same on every machine.
+//! - [`effort`](fn@effort): few inputs in `cargo test`, many in the nightly script.
 //! - [`damage`]: files as they should not be, and a watch over whoever reads them.
 //!
 //! A law in five lines:
@@ -27,11 +28,13 @@
 pub mod by_hand;
 pub mod close;
 pub mod damage;
+mod effort;
 mod fingerprint;
 pub mod law;
 pub mod strategy;
 
 pub use close::{Deviation, assert_close, ensure, ensure_close};
+pub use effort::{NIGHTLY, effort};
 pub use fingerprint::fingerprint;
 pub use law::{Classes, Law, Outcome};
 

@@ -1,0 +1,3 @@
+//! Every integration test of `audit`, in one program: one to link instead of many.
+
+mod audit;

@@ -1,0 +1,5 @@
+//! Every integration test of `course`, in one program: one to link instead of many.
+
+mod drawings;
+mod exercises;
+mod handout;

@@ -1,0 +1,7 @@
+//! Every integration test of `grader`, in one program: one to link instead of many.
+
+mod bench;
+mod course;
+mod hostile;
+mod opened;
+mod outcomes;

@@ -1,0 +1,3 @@
+//! Every integration test of `transforms`, in one program: one to link instead of many.
+
+mod laws;
