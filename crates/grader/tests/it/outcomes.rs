@@ -299,7 +299,11 @@ fn a_neighbour_that_burns_processors_takes_nobodys_time() {
     let over = AtomicBool::new(false);
     let replies = std::thread::scope(|scope| {
         for _ in 0..16 {
-            scope.spawn(|| while !over.load(Ordering::Relaxed) {});
+            scope.spawn(|| {
+                while !over.load(Ordering::Relaxed) {
+                    std::hint::spin_loop()
+                }
+            });
         }
         let replies = opened.ask().ask(&questions);
         over.store(true, Ordering::Relaxed);

@@ -97,6 +97,11 @@ impl Bench {
         self.judge.limits.memory = memory;
     }
 
+    /// How long the compiler may take for one file.
+    pub(crate) fn limit_compiling(&mut self, time: Duration) {
+        self.judge.limits.compiling = time;
+    }
+
     /// How much memory all answers together may take.
     pub(crate) fn limit_answers(&mut self, answers: usize) {
         self.judge.limits.answers = answers;

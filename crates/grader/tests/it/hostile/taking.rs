@@ -37,6 +37,8 @@ fn too_much_memory_is_refused() {
 fn data_of_the_program_itself_that_do_not_fit_are_too_much_memory() {
     let Some(mut bench) = Bench::confined() else { return };
     bench.limit_memory(128 << 20);
+    // To write so much takes the compiler a while.
+    bench.limit_compiling(std::time::Duration::from_secs(10));
     assert_eq!(bench.judge(&in_function(RIGHT)).outcome, Outcome::Passed, "it is enough for an exercise");
     let body = format!(
         "static MUCH: std::sync::Mutex<[u8; 256 << 20]> = std::sync::Mutex::new([0; 256 << 20]);\n    \
