@@ -301,7 +301,7 @@ fn a_neighbour_that_burns_processors_takes_nobodys_time() {
         for _ in 0..16 {
             scope.spawn(|| {
                 while !over.load(Ordering::Relaxed) {
-                    std::hint::spin_loop()
+                    std::hint::spin_loop();
                 }
             });
         }
