@@ -93,7 +93,7 @@ pub(crate) const ACTS: [Case; 32] = [
     ),
     case(
         "starts threads",
-        &["panicked", "out_of_memory", "timed_out"],
+        &["too_many_threads"],
         First("loop { std::thread::spawn(|| loop { std::thread::park() }); }"),
     ),
     case(
