@@ -193,8 +193,8 @@ fn shares_put_together_are_the_whole_to_the_byte_and_nothing_else_is_put_togethe
 #[test]
 fn a_run_that_was_killed_goes_on_and_judges_nothing_twice() {
     let lecturer = Lecturer::new(&[("ada", RIGHT), ("bob", NOT_MOVED_BACK), ("cleo", RIGHT)]);
+    // Judging it takes so long that the run is still at it when it is killed.
     lecturer.hands_in("zoe", "loop {}");
-    lecturer.grades("grade @class --out @whole --seed 5");
     let mut run =
         lecturer.command("grade @class --out @killed --seed 5 --jobs 1 --quiet").spawn().expect("started");
     while !lecturer.path("killed/judged/cleo.json").is_file() {
@@ -205,6 +205,8 @@ fn a_run_that_was_killed_goes_on_and_judges_nothing_twice() {
     run.wait().expect("ended");
     assert!(!lecturer.path("killed/results.json").exists());
 
+    lecturer.hands_in("zoe", "{");
+    lecturer.grades("grade @class --out @whole --seed 5");
     let said = lecturer.says("grade @class --out @killed");
     assert!(said.code == Some(2) && said.err.contains("--resume"), "{said:?}");
     let said = lecturer.says("grade @class --out @killed --resume");
