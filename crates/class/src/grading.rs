@@ -14,7 +14,7 @@ use crate::intake::{Class, Entry, Taken};
 use crate::kept::{self, Conditions, Kept};
 use crate::outline;
 use crate::partition::Partition;
-use crate::results::{Results, SCHEMA, Seeds, Submission, VERSION, Verdict};
+use crate::results::{Listed, Results, SCHEMA, Seeds, Submission, VERSION, Verdict};
 use crate::sum::Sum;
 use crate::verdict::verdict;
 
@@ -73,15 +73,23 @@ impl Grading<'_> {
             .map(|entry| self.submission(entry, &course.version))
             .collect::<Result<_, _>>()?;
         self.forget_others(&share);
-        Ok(Results {
+        let mut results = Results {
             schema: SCHEMA.to_owned(),
             version: VERSION,
             partition: self.partition.map(|share| share.to_string()),
             course,
             seeds: self.seeds.clone(),
             sandboxed: self.sandboxed,
+            remarks: class.remarks.clone(),
+            roster: Vec::new(),
             submissions,
-        })
+            digest: None,
+        };
+        if self.partition.is_some() {
+            results.roster = class.entries.par_iter().map(listed).collect();
+            results.digest = Some(results.digest_of_content());
+        }
+        Ok(results)
     }
 
     fn submission(&self, entry: &Entry, course: &str) -> Result<Submission, GradeError> {
@@ -106,7 +114,7 @@ impl Grading<'_> {
                     Some(problem) => failed(seed, &problem).iter().map(verdict).collect(),
                     None => self.verdicts(&taken, seed),
                 };
-                let kept = Kept { conditions, verdicts };
+                let kept = Kept::new(conditions, verdicts);
                 let path = kept::path(self.report, &entry.id);
                 let written = kept.bytes().and_then(|bytes| (self.write)(&path, &bytes));
                 written.map_err(|error| GradeError { path, error })?;
@@ -196,6 +204,11 @@ fn failed(seed: u64, why: &str) -> Vec<Judgement> {
 fn fingerprint(taken: &Taken) -> String {
     let texts = taken.files.iter().flat_map(|(name, bytes)| [name.as_bytes(), bytes.as_slice()]);
     Sum::of(texts).hexadecimal()
+}
+
+/// A submission as every part lists it.
+fn listed(entry: &Entry) -> Listed {
+    Listed { id: entry.id.clone(), fingerprint: fingerprint(&entry.take().unwrap_or_default()) }
 }
 
 fn assembled(entry: &Entry, taken: Taken, kept: Kept) -> Submission {

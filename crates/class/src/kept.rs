@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use crate::results::{Outcome, Verdict};
+use crate::sum::Sum;
 
 /// Where, in the folder of a report, what was judged is kept: one file a submission.
 pub const FOLDER: &str = "judged";
@@ -17,6 +18,8 @@ pub const FOLDER: &str = "judged";
 pub(crate) struct Kept {
     pub(crate) conditions: Conditions,
     pub(crate) verdicts: Vec<Verdict>,
+    /// The SHA-256 of the two above when they were written: hexadecimal.
+    digest: String,
 }
 
 /// All that a verdict depends on. What differs in one of these is judged again.
@@ -36,9 +39,20 @@ pub(crate) fn path(report: &Path, id: &str) -> PathBuf {
 }
 
 impl Kept {
-    /// What is kept under this id; `None` where nothing is, or nothing that can be read: then it is judged again.
+    pub(crate) fn new(conditions: Conditions, verdicts: Vec<Verdict>) -> Self {
+        let digest = digest(&conditions, &verdicts);
+        Self { conditions, verdicts, digest }
+    }
+
+    /// What is kept under this id; `None` where nothing is, or nothing that can be read, or where somebody has changed it: then it is judged again.
     pub(crate) fn read(report: &Path, id: &str) -> Option<Self> {
-        serde_json::from_slice(&fs::read(path(report, id)).ok()?).ok()
+        let kept: Self = serde_json::from_slice(&fs::read(path(report, id)).ok()?).ok()?;
+        (!kept.was_changed()).then_some(kept)
+    }
+
+    /// Whether it is no longer as it was written.
+    pub(crate) fn was_changed(&self) -> bool {
+        self.digest != digest(&self.conditions, &self.verdicts)
     }
 
     /// Whether the grader failed at something: next time it may not.
@@ -49,4 +63,9 @@ impl Kept {
     pub(crate) fn bytes(&self) -> io::Result<Vec<u8>> {
         Ok(serde_json::to_vec(self)?)
     }
+}
+
+fn digest(conditions: &Conditions, verdicts: &[Verdict]) -> String {
+    let json = serde_json::to_vec(&(conditions, verdicts));
+    Sum::of([json.unwrap_or_default().as_slice()]).hexadecimal()
 }

@@ -56,6 +56,11 @@ impl Partition {
     pub fn of(&self) -> usize {
         self.of
     }
+
+    /// Whether the other one is a share by the same rule, so that each submission is in one share.
+    pub fn shares_like(&self, other: &Self) -> bool {
+        (self.by, self.of) == (other.by, other.of)
+    }
 }
 
 impl FromStr for Partition {

@@ -42,11 +42,7 @@ type Make = fn(&Results) -> Vec<u8>;
 
 /// `results.json`: all but pictures.
 fn results_json(results: &Results) -> Vec<u8> {
-    let mut plain = results.clone();
-    for verdict in plain.submissions.iter_mut().flat_map(|submission| &mut submission.verdicts) {
-        verdict.picture = None;
-    }
-    lines(serde_json::to_string_pretty(&plain))
+    lines(serde_json::to_string_pretty(&results.without_pictures()))
 }
 
 /// `run.json`.

@@ -9,6 +9,8 @@ pub use outcome::{Kind, Outcome};
 
 use serde::{Deserialize, Serialize};
 
+use crate::sum::Sum;
+
 /// What kind of file it is.
 pub const SCHEMA: &str = "lightlab-results";
 
@@ -32,8 +34,46 @@ pub struct Results {
     pub seeds: Seeds,
     /// Whether every submission was judged in the sandbox.
     pub sandboxed: bool,
+    /// What is in the class's folder but is nobody's submission: a sentence for each reason. For the staff; may hold any characters.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub remarks: Vec<String>,
+    /// In a part: every submission of the whole class, so that `merge` can tell that all parts are of one class and nobody is lost.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub roster: Vec<Listed>,
     /// One a student, in the order of their ids.
     pub submissions: Vec<Submission>,
+    /// In a part: [`Results::digest_of_content`] when it was written, so that `merge` can tell that nobody has changed it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub digest: Option<String>,
+}
+
+/// A submission of the class, as every part lists it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Listed {
+    /// The student's id.
+    pub id: String,
+    /// The fingerprint of what was handed in, as in [`Submission::fingerprint`].
+    pub fingerprint: String,
+}
+
+impl Results {
+    /// The SHA-256 of everything but pictures and the digest itself: hexadecimal.
+    ///
+    /// It shows a change by accident or by hand. Whoever wants to deceive can compute it anew.
+    pub fn digest_of_content(&self) -> String {
+        let json = serde_json::to_vec(&Self { digest: None, ..self.without_pictures() });
+        Sum::of([json.unwrap_or_default().as_slice()]).hexadecimal()
+    }
+
+    /// A copy as it stands in `results.json`: drawings are in the feedback alone.
+    pub(crate) fn without_pictures(&self) -> Self {
+        let mut plain = self.clone();
+        for verdict in plain.submissions.iter_mut().flat_map(|submission| &mut submission.verdicts) {
+            verdict.picture = None;
+        }
+        plain
+    }
 }
 
 /// The exercises as they were when they judged.

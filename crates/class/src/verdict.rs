@@ -45,6 +45,7 @@ fn outcome(outcome: &Judged) -> Outcome {
         Judged::Panicked(_) => Outcome::Panicked,
         Judged::TimedOut(_) => Outcome::TimedOut,
         Judged::OutOfMemory => Outcome::OutOfMemory,
+        Judged::TooManyThreads => Outcome::TooManyThreads,
         Judged::StackOverflow => Outcome::StackOverflow,
         Judged::Exited(_) => Outcome::Exited,
         Judged::Crashed(_) => Outcome::Crashed,

@@ -29,16 +29,31 @@ pub enum Reply {
 /// How a call never came back.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Loss {
-    /// It ran for longer than it may; in milliseconds, how long that is.
-    TimedOut(u64),
+    /// It ran for longer than it may.
+    TimedOut(Late),
     /// It wanted more memory than it may have.
     OutOfMemory,
+    /// It wanted more threads than it may have.
+    TooManyThreads,
     /// Its stack was full: it calls itself without end.
     StackOverflow,
     /// It ended the process, with this exit code.
     Exited(i32),
     /// The process was ended: by a signal, or by something that no answer is made of.
     Crashed(String),
+}
+
+/// Which limit of time a call reached. Each holds that limit in milliseconds.
+///
+/// Time spent waiting for a busy processor counts nowhere, so the same program is late on an idle machine and on a busy one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Late {
+    /// The call computed for too long.
+    Computing(u64),
+    /// The call slept, or waited for something that never came.
+    Waiting(u64),
+    /// All calls together took too long; no single one of them did.
+    Together(u64),
 }
 
 /// The values that came back, one for each question; `None` where none did, and for all questions after a call that never came back.

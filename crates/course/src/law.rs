@@ -145,11 +145,21 @@ impl Asker<'_> {
             return Err(Stop::Pending(arguments));
         };
         match reply {
-            Reply::Value(value) => R::from_value(value.clone())
-                .ok_or_else(|| Stop::Fault(Fault(format!("the law expects another type than {value}")))),
+            Reply::Value(value) => typed(value),
             unanswered => Err(Stop::Unanswered(unanswered.clone())),
         }
     }
+}
+
+/// The answer as the type of the function's result.
+///
+/// # Errors
+/// [`Stop::Broken`] if it is of another type, which only a program gives that writes to the channel of answers itself.
+pub(crate) fn typed<R: Plain>(answer: &Value) -> Result<R, Stop> {
+    R::from_value(answer.clone()).ok_or_else(|| {
+        let what = format!("the answer {answer} is not of the function's type");
+        Stop::Broken(Broken { what, values: None })
+    })
 }
 
 /// Why a check ends before its end.

@@ -27,7 +27,7 @@ mod zbuffer;
 
 use std::sync::LazyLock;
 
-pub use answerer::{Answerer, Fault, InProcess, Loss, Reply, values};
+pub use answerer::{Answerer, Fault, InProcess, Late, Loss, Reply, values};
 pub use concept::Concept;
 pub use exercise::{Calls, Example, Exercise, Misconception, Picture, Program, Seen, Signature, Title};
 pub use law::{Asker, Broken, Law, Stop, Unbound, close, that};

@@ -4,7 +4,7 @@ use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use testkit::fingerprint;
 use worker::Value;
 
-use crate::answerer::{Answerer, Fault, Reply};
+use crate::answerer::{Answerer, Fault, Late, Loss, Reply};
 use crate::exercise::{Example, Exercise};
 use crate::law::{Asker, Broken, Case, Law, Stop};
 
@@ -26,6 +26,8 @@ pub struct Examination {
     pub answered: Vec<(Vec<Value>, Value)>,
     /// Whether the very first call said that nothing is there yet: `todo!()`.
     pub not_started: bool,
+    /// The limit on all calls together, if they reached it. Then no law counts as tried: on which call that happens is chance.
+    pub exhausted: Option<Late>,
 }
 
 /// A law and how it went.
@@ -73,7 +75,9 @@ impl Examination {
 
     /// Whether every law holds.
     pub fn passed(&self) -> bool {
-        !self.not_started && self.laws.iter().all(|law| matches!(law.outcome, Outcome::Kept(_)))
+        !self.not_started
+            && self.exhausted.is_none()
+            && self.laws.iter().all(|law| matches!(law.outcome, Outcome::Kept(_)))
     }
 
     /// The counterexample to show.
@@ -96,7 +100,7 @@ pub fn counterexample(laws: &[Tried]) -> Option<(&Tried, &Counterexample)> {
 /// # Errors
 /// [`Fault`]: the one who judges cannot go on, or a law is at fault itself. Never the student's doing.
 pub fn examine(exercise: &Exercise, seed: u64, answerer: &mut dyn Answerer) -> Result<Examination, Fault> {
-    let mut trial = Trial { answerer, answered: Vec::new(), losses: 0 };
+    let mut trial = Trial { answerer, answered: Vec::new(), losses: 0, exhausted: None };
     let mut laws = vec![Tried {
         name: EXAMPLES,
         statement: "The worked examples come out as they should.",
@@ -110,24 +114,30 @@ pub fn examine(exercise: &Exercise, seed: u64, answerer: &mut dyn Answerer) -> R
         outcome: Outcome::NotRun,
     }));
     if trial.says_todo(&exercise.examples)? {
-        return Ok(Examination { laws, answered: Vec::new(), not_started: true });
+        return Ok(Examination { laws, answered: Vec::new(), not_started: true, exhausted: None });
     }
     laws[0].outcome = trial.examples(&exercise.examples)?;
     for (law, tried) in exercise.laws.iter().zip(&mut laws[1..]) {
-        if trial.losses < MOST_LOSSES {
+        if trial.losses < MOST_LOSSES && trial.exhausted.is_none() {
             let seed = seed_of(seed, &[exercise.name, law.name()]);
             tried.outcome = trial
                 .law(law, &seed)
                 .map_err(|fault| Fault(format!("law {} of {}: {fault}", law.name(), exercise.name)))?;
         }
     }
-    Ok(Examination { laws, answered: trial.answered, not_started: false })
+    if trial.exhausted.is_some() {
+        for law in &mut laws {
+            law.outcome = Outcome::NotRun;
+        }
+    }
+    Ok(Examination { laws, answered: trial.answered, not_started: false, exhausted: trial.exhausted })
 }
 
 struct Trial<'a> {
     answerer: &'a mut dyn Answerer,
     answered: Vec<(Vec<Value>, Value)>,
     losses: u32,
+    exhausted: Option<Late>,
 }
 
 /// What is known of one input: the answers that its check has asked for.
@@ -243,7 +253,7 @@ impl Trial<'_> {
                 }
                 _ => case.complicate(),
             };
-            if !further || self.losses >= MOST_LOSSES {
+            if !further || self.losses >= MOST_LOSSES || self.exhausted.is_some() {
                 break;
             }
         }
@@ -269,7 +279,7 @@ impl Trial<'_> {
         for (question, reply) in questions.iter().zip(&replies) {
             match reply {
                 Reply::Value(value) => self.answered.push((question.clone(), value.clone())),
-                Reply::Lost(_) => self.losses += 1,
+                Reply::Lost(loss) => self.lose(loss),
                 Reply::Panicked(_) => {}
             }
         }
@@ -277,6 +287,13 @@ impl Trial<'_> {
             return Err(Fault("no reply to any question".to_owned()));
         }
         Ok(replies)
+    }
+
+    fn lose(&mut self, loss: &Loss) {
+        self.losses += 1;
+        if let Loss::TimedOut(late @ Late::Together(_)) = loss {
+            self.exhausted = Some(*late);
+        }
     }
 }
 

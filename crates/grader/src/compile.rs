@@ -4,10 +4,12 @@ use std::ffi::OsString;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use course::Exercise;
 use sandbox::Launcher;
 
+use crate::forbidden::{self, Forbidden};
 use crate::judgement::Outcome;
 use crate::kit::Kit;
 use crate::rustc::{self, End, Said};
@@ -42,17 +44,27 @@ pub(crate) enum NotCompiled {
     },
     /// The libraries are of another compiler than rustc is now.
     OldKit,
+    /// Rustc fails and points into no file: what it says. If it compiles a worker without a student's file, this is the files' doing.
+    Unexplained(String),
     /// Rustc does not start, or its files cannot be written: why.
     Failed(String),
 }
 
 impl NotCompiled {
+    /// That rustc accepts the files and yet makes no program of them; with what it says, if that may be shown.
+    pub(crate) fn unlinked(words: Option<String>) -> Self {
+        let message = words
+            .unwrap_or_else(|| "error: no program can be made of the file: linking it fails\n".to_owned());
+        let note = "Is something in it very large, or defined nowhere?".to_owned();
+        Self::Refused { message, note: Some(note), blamed: Vec::new() }
+    }
+
     /// What it means for whoever wrote the files.
     pub(crate) fn outcome(self) -> Outcome {
         match self {
             Self::Refused { message, note, .. } => Outcome::DoesNotCompile { message, note },
             Self::OldKit => Outcome::GraderError("the libraries are of another version of Rust".to_owned()),
-            Self::Failed(why) => Outcome::GraderError(why),
+            Self::Failed(why) | Self::Unexplained(why) => Outcome::GraderError(why),
         }
     }
 }
@@ -66,17 +78,24 @@ const MAIN: &str = "main.rs";
 
 impl Compiler {
     /// Compiles students' files into one worker in `folder`; its functions are those of the parts, in their order. Rustc is confined if
-    /// there is a launcher.
+    /// there is a launcher, and may take `first` of a processor for the first file.
     pub(crate) fn worker(
         &self,
         parts: &[Part<'_>],
         folder: &Path,
+        first: Duration,
         launcher: Option<&Launcher>,
     ) -> Result<PathBuf, NotCompiled> {
+        let limit = rustc::time(first, parts.len());
         let folder = std::path::absolute(folder).map_err(failed)?;
         let worker = folder.join(format!("worker{}", std::env::consts::EXE_SUFFIX));
-        lay_out(parts, &folder).map_err(failed)?;
-        let mut command = rustc::command(&self.kit, &folder, parts.len(), launcher);
+        let texts =
+            parts.iter().map(|part| fs::read(part.file)).collect::<io::Result<Vec<_>>>().map_err(failed)?;
+        if let Some(refused) = self.forbidden(parts, &texts) {
+            return Err(refused);
+        }
+        lay_out(&texts, &main_file(parts, course::fingerprint(texts.concat())), &folder).map_err(failed)?;
+        let mut command = rustc::command(&self.kit, &folder, limit, launcher);
         command
             .args(["--edition", "2024", "--crate-name", "worker_of_a_student", "--crate-type", "bin"])
             // Debug assertions catch the overflow of an index; optimization would cost more than it gives.
@@ -101,15 +120,32 @@ impl Compiler {
             .arg("-o")
             .arg(&worker)
             .arg(folder.join(MAIN));
-        match rustc::run(command, parts.len()).map_err(failed)? {
+        match rustc::run(command, limit).map_err(failed)? {
             End::Made => Ok(worker),
             End::Refused(said) => Err(self.refused(said, parts)),
             End::TooLong(time) => Err(stopped(&format!("after {} s of computing", time.as_secs()))),
             End::TooMuch => Err(stopped("when it asked for more memory than any exercise needs")),
+            End::Unexplained(words) => Err(NotCompiled::Unexplained(words)),
             End::Broken => {
                 Err(stopped("by the system: something in the file is too deep or too large for it"))
             }
         }
+    }
+
+    /// That some of the files hold words that no solution needs, said as rustc says what it refuses.
+    fn forbidden(&self, parts: &[Part<'_>], texts: &[Vec<u8>]) -> Option<NotCompiled> {
+        let texts: Vec<_> = texts.iter().map(|text| String::from_utf8_lossy(text)).collect();
+        let found = texts.iter().enumerate().filter_map(|(at, text)| Some((at, forbidden::first(text)?)));
+        let (blamed, messages): (Vec<usize>, Vec<String>) = found
+            .map(|(at, Forbidden { word, reaches, line, column })| {
+                let path = self.known(&parts[at]).display().to_string();
+                (at, format!("error: `{word}` reaches {reaches}, which no exercise needs\n --> {path}:{line}:{column}\n"))
+            })
+            .unzip();
+        let note = "Compute the answer from the arguments alone; a name that happens to be this word can be changed.";
+        let refused =
+            NotCompiled::Refused { message: messages.concat(), note: Some(note.to_owned()), blamed };
+        (!messages.is_empty()).then_some(refused)
     }
 
     /// How files are called in messages and panics: as the student knows them, from the project's folder on.
@@ -156,15 +192,12 @@ fn remap(from: &Path, to: &Path) -> OsString {
     argument
 }
 
-/// Copies the files into the folder, and writes the main file: rustc needs nothing else.
-fn lay_out(parts: &[Part<'_>], folder: &Path) -> io::Result<()> {
-    let mut all = Vec::new();
-    for (at, part) in parts.iter().enumerate() {
-        let text = fs::read(part.file)?;
-        fs::write(folder.join(copy(at)), &text)?;
-        all.extend(text);
+/// Writes the files and the main file into the folder: rustc needs nothing else.
+fn lay_out(texts: &[Vec<u8>], main: &str, folder: &Path) -> io::Result<()> {
+    for (at, text) in texts.iter().enumerate() {
+        fs::write(folder.join(copy(at)), text)?;
     }
-    fs::write(folder.join(MAIN), main_file(parts, course::fingerprint(all)))
+    fs::write(folder.join(MAIN), main)
 }
 
 /// The name of a student's file in the folder.

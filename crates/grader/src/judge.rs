@@ -128,17 +128,30 @@ impl Judge {
             .map_err(|e| {
                 NotCompiled::Failed(format!("no folder for the worker in {}: {e}", self.scratch.display()))
             })?;
-        let program = self.compile(parts, folder.path())?;
+        let program =
+            self.compile(parts, folder.path()).map_err(|error| self.explained(error, parts, &folder))?;
         Ok(Worker { program, _folder: folder })
     }
 
+    /// A failure that points into no file is the files' doing if a worker without any of them can be made.
+    fn explained(&self, error: NotCompiled, parts: &[Part<'_>], folder: &tempfile::TempDir) -> NotCompiled {
+        match error {
+            NotCompiled::Unexplained(words) if !parts.is_empty() && self.rehearse().is_ok() => {
+                let words = words.replace(&*folder.path().to_string_lossy(), "…");
+                NotCompiled::unlinked(self.sandbox.is_none().then_some(words))
+            }
+            other => other,
+        }
+    }
+
     fn compile(&self, parts: &[Part<'_>], folder: &Path) -> Result<PathBuf, NotCompiled> {
-        match (self.compiler.worker(parts, folder, self.sandbox.as_ref()), &self.memory) {
+        let first = self.limits.compiling;
+        match (self.compiler.worker(parts, folder, first, self.sandbox.as_ref()), &self.memory) {
             (Err(NotCompiled::OldKit), Some((memory, build))) => {
                 Kit::forget(memory);
                 let kit = Kit::remembered(&self.compiler.root, *build, memory)
                     .map_err(|e| NotCompiled::Failed(e.to_string()))?;
-                Compiler { kit, ..self.compiler.clone() }.worker(parts, folder, self.sandbox.as_ref())
+                Compiler { kit, ..self.compiler.clone() }.worker(parts, folder, first, self.sandbox.as_ref())
             }
             (result, _) => result,
         }
@@ -151,9 +164,14 @@ impl Judge {
         let process = || Process::new(&worker.program, function, exercise, self.limits, launcher);
         let mut asked = process();
         let examination = examine(exercise, seed, &mut asked);
+        let unbegun = asked.unbegun();
         let (printed, surplus) = asked.finish();
         if surplus {
             let outcome = Outcome::Crashed("it sent more answers than it was asked for".to_owned());
+            return Judgement { outcome, forfeit: Some(Forfeit::Ended), printed, ..blank };
+        }
+        if unbegun.is_some() && self.rehearse().is_ok() {
+            let outcome = Outcome::Crashed("it ended before it was asked anything".to_owned());
             return Judgement { outcome, forfeit: Some(Forfeit::Ended), printed, ..blank };
         }
         let weighed = examination
@@ -182,17 +200,17 @@ fn weigh(
 ) -> Result<Judgement, Fault> {
     let mut outcome = outcome(&examination);
     let mut fresh = process();
+    let gains = examination.points() > 0 && !matches!(outcome, Outcome::Exited(_) | Outcome::Crashed(_));
     // Nothing is to be gained by answering twice where nothing is gained.
-    if matches!(outcome, Outcome::Passed | Outcome::Wrong)
-        && examination.points() > 0
-        && let Some(twice) = doubt::unsteady(&examination, &mut fresh)?
-    {
+    if gains && let Some(twice) = doubt::unsteady(&examination, &mut fresh)? {
         outcome = Outcome::Unsteady(Box::new(twice));
     }
     let forfeit = match &outcome {
         Outcome::Unsteady(_) => Some(Forfeit::Unsteady),
         Outcome::Exited(_) | Outcome::Crashed(_) => Some(Forfeit::Ended),
-        Outcome::Wrong if doubt::is_constant(exercise, &examination) => Some(Forfeit::Constant),
+        _ if gains && doubt::is_constant(exercise, blank.token.seed, &examination)? => {
+            Some(Forfeit::Constant)
+        }
         _ => None,
     };
     let wrong = matches!(outcome, Outcome::Wrong);
@@ -244,6 +262,9 @@ fn outcome(examination: &Examination) -> Outcome {
     if examination.not_started {
         return Outcome::NotStarted;
     }
+    if let Some(late) = examination.exhausted {
+        return Outcome::TimedOut(late);
+    }
     let Some((_, counterexample)) = examination.counterexample() else {
         return if examination.passed() {
             Outcome::Passed
@@ -255,6 +276,7 @@ fn outcome(examination: &Examination) -> Outcome {
         Some((_, Reply::Panicked(panic))) => Outcome::Panicked(panic.clone()),
         Some((_, Reply::Lost(Loss::TimedOut(limit)))) => Outcome::TimedOut(*limit),
         Some((_, Reply::Lost(Loss::OutOfMemory))) => Outcome::OutOfMemory,
+        Some((_, Reply::Lost(Loss::TooManyThreads))) => Outcome::TooManyThreads,
         Some((_, Reply::Lost(Loss::StackOverflow))) => Outcome::StackOverflow,
         Some((_, Reply::Lost(Loss::Exited(code)))) => Outcome::Exited(*code),
         Some((_, Reply::Lost(Loss::Crashed(how)))) => Outcome::Crashed(how.clone()),

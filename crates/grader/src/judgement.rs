@@ -1,7 +1,7 @@
 //! What is said about a file in the end?
 
 use course::trial::{Counterexample, Outcome as LawOutcome, Tried};
-use course::{Exercise, Picture, Reply, Value};
+use course::{Exercise, Late, Picture, Reply, Value};
 use serde_json::{Value as Json, json};
 use worker::wire::Panic;
 
@@ -49,10 +49,12 @@ pub enum Outcome {
     Unsteady(Box<Twice>),
     /// It panicked.
     Panicked(Panic),
-    /// A call did not return within this many milliseconds.
-    TimedOut(u64),
+    /// A call, or all of them together, took longer than they may.
+    TimedOut(Late),
     /// It wanted more memory than it may have.
     OutOfMemory,
+    /// It wanted more threads than it may have.
+    TooManyThreads,
     /// It calls itself without end.
     StackOverflow,
     /// It ended the process, with this exit code.
@@ -86,7 +88,7 @@ pub enum Forfeit {
     Unsteady,
     /// The function ended its process, or sent what is no answer.
     Ended,
-    /// The function gives one answer to every call.
+    /// The function gives one answer to nearly every call, and keeps no law that this answer alone would not keep.
     Constant,
 }
 
@@ -100,7 +102,9 @@ impl Forfeit {
             Self::Ended => {
                 "No points: an exercise returns a value, and leaves the process that runs it alone."
             }
-            Self::Constant => "No points: the answer is the same whatever the arguments are.",
+            Self::Constant => {
+                "No points: the answer is nearly always the same, and the laws that hold would hold if it always were."
+            }
         }
     }
 }
@@ -150,6 +154,7 @@ impl Outcome {
             Self::Panicked(_) => "panicked",
             Self::TimedOut(_) => "timed out",
             Self::OutOfMemory => "out of memory",
+            Self::TooManyThreads => "too many threads",
             Self::StackOverflow => "stack overflow",
             Self::Exited(_) => "exited",
             Self::Crashed(_) => "crashed",
@@ -174,13 +179,9 @@ impl Outcome {
                 gave(&twice.again)
             ),
             Self::Panicked(panic) => panicked(panic),
-            Self::TimedOut(limit) => {
-                format!(
-                    "No answer to the call below within {} s: is there a loop without end?",
-                    *limit as f64 / 1e3
-                )
-            }
+            Self::TimedOut(late) => timed_out(*late),
             Self::OutOfMemory => "The call below asked for more memory than any exercise needs.".to_owned(),
+            Self::TooManyThreads => "The call below started more threads than any exercise needs.".to_owned(),
             Self::StackOverflow => {
                 "The call below filled its stack: a function calls itself without end.".to_owned()
             }
@@ -198,6 +199,24 @@ impl Outcome {
                 format!("Something is wrong with the grader, not with the file: {what}. It costs no points.")
             }
         })
+    }
+}
+
+fn timed_out(late: Late) -> String {
+    let seconds = |limit: u64| limit as f64 / 1e3;
+    match late {
+        Late::Computing(limit) => format!(
+            "No answer to the call below after {} s of computing: is there a loop without end?",
+            seconds(limit)
+        ),
+        Late::Waiting(limit) => format!(
+            "No answer to the call below after {} s, most of which it waited: an exercise computes, and waits for nothing.",
+            seconds(limit)
+        ),
+        Late::Together(limit) => format!(
+            "All calls together took more than {} s of computing and waiting, though no single one took too long.",
+            seconds(limit)
+        ),
     }
 }
 

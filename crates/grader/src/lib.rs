@@ -10,18 +10,22 @@
 
 #![forbid(unsafe_code)]
 
+mod activity;
 mod compile;
 mod crowd;
 mod doubt;
+mod forbidden;
 mod judge;
 mod judgement;
 mod kit;
+mod meter;
 mod open;
 mod printed;
 mod process;
 mod running;
 mod rustc;
 mod token;
+mod tokens;
 
 pub use compile::Compiler;
 pub use crowd::Crowd;

@@ -1,41 +1,46 @@
 //! How is a worker asked, and how does one see that it will not answer any more?
 
-use std::io::{self, BufReader, Write};
+use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::ExitStatus;
-use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use course::{Answerer, Exercise, Fault, Loss, Reply, Value};
+use course::{Answerer, Exercise, Fault, Late, Loss, Reply, Value};
 use sandbox::Launcher;
-use worker::system;
-use worker::wire::{self, Answer, Panic};
+use worker::wire::{self, Answer, Answered, Panic};
+use worker::{TOO_MANY_THREADS, system};
 
+use crate::meter::millis;
 use crate::printed::{Printed, Stream};
-use crate::running::{NotBegun, Running, Timed};
+use crate::running::{KILLED, NotBegun, Running, Timed, last_resort};
 
 /// A panic's message is kept up to so many characters.
 const LONGEST_WORDS: usize = 2000;
 
-/// So many bytes of questions are sent before the first answer is read: a channel holds more. Shrinking asks one question at a time, and a thread for
-/// each would take longer than the answer.
-const AT_ONCE: usize = 32 << 10;
+/// Bytes of questions that may be under way. A channel holds more, so sending does not wait, and a worker always has something to do. With a thread that
+/// sends all at once, a worker could seem to sleep where that thread only waits for a processor.
+const UNDER_WAY: usize = if cfg!(target_os = "linux") { 32 << 10 } else { 4 << 10 };
 
-/// What a worker may take.
+/// What a worker may take. Time is what it computes, on all its processors together, and what it sleeps; waiting for a busy processor does not count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
     /// For one call.
     pub time: Duration,
     /// For all calls of one exercise together.
     pub whole: Duration,
+    /// For the compiler, on the first file; a second more for each further file.
+    pub compiling: Duration,
     /// In bytes, of address space.
     pub memory: u64,
+    /// In bytes, of the grader's memory, for all answers of one exercise together.
+    pub answers: usize,
 }
 
 impl Default for Limits {
-    /// Two seconds a call, twenty for all, one GiB: far more than any exercise needs, even on a busy machine.
+    /// Two seconds a call, twenty for all, ten for the compiler, one GiB, 32 MiB of answers: far more than any exercise needs.
     fn default() -> Self {
-        Self { time: Duration::from_secs(2), whole: Duration::from_secs(20), memory: 1 << 30 }
+        let [time, whole, compiling] = [2, 20, 10].map(Duration::from_secs);
+        Self { time, whole, compiling, memory: 1 << 30, answers: 32 << 20 }
     }
 }
 
@@ -50,7 +55,12 @@ pub(crate) struct Process {
     limits: Limits,
     /// Confines the worker.
     launcher: Option<Launcher>,
-    begun: Instant,
+    /// What the workers that have ended have taken.
+    taken: Duration,
+    /// The memory that all answers so far take.
+    kept: usize,
+    /// How a worker ended before it could be asked, if one did.
+    unbegun: Option<String>,
     running: Option<Running>,
     printed: [Stream; 2],
 }
@@ -70,7 +80,9 @@ impl Process {
             reference: exercise.reference.function,
             limits,
             launcher: launcher.cloned(),
-            begun: Instant::now(),
+            taken: Duration::ZERO,
+            kept: 0,
+            unbegun: None,
             running: None,
             printed: Default::default(),
         }
@@ -81,12 +93,18 @@ impl Process {
         match self.start() {
             Ok(_) => Ok(()),
             Err(NotBegun::Fault(fault)) => Err(fault),
+            Err(NotBegun::Ended(how)) => Err(Fault(how)),
             Err(NotBegun::Lost(_)) => Err(Fault("there is not enough memory for any worker".to_owned())),
         }
     }
 
     fn start(&self) -> Result<Running, NotBegun> {
-        Running::start(&self.worker, &self.limits, self.launcher.as_ref(), &self.printed)
+        Running::start(&self.worker, &self.limits, self.taken, self.launcher.as_ref(), &self.printed)
+    }
+
+    /// How a worker ended before it could be asked, if one did.
+    pub(crate) fn unbegun(&self) -> Option<String> {
+        self.unbegun.clone()
     }
 
     /// Ends the worker; gives what it printed, and whether it sent more than it was asked for.
@@ -96,96 +114,123 @@ impl Process {
         (Printed { out: out.output(), err: err.output() }, surplus)
     }
 
-    /// Questions as bytes, one behind the other.
-    fn asking(&self, questions: &[Vec<Value>]) -> io::Result<Vec<u8>> {
-        let mut bytes = Vec::new();
-        for arguments in questions {
-            wire::ask(&mut bytes, self.function, arguments)?;
-        }
-        Ok(bytes)
+    /// Questions as bytes.
+    fn packed(&self, questions: &[Vec<Value>]) -> io::Result<Vec<Vec<u8>>> {
+        let packed = |arguments: &Vec<Value>| {
+            let mut bytes = Vec::new();
+            wire::ask(&mut bytes, self.function, arguments).map(|()| bytes)
+        };
+        questions.iter().map(packed).collect()
     }
 
     /// What became of the worker that fell silent.
-    fn loss(&self, mut running: Running, silence: &Silence) -> Loss {
-        if let Silence::Slow(limit) = silence {
-            running.end();
-            return timed_out(*limit);
-        }
+    ///
+    /// # Errors
+    /// [`Fault`]: the machine, or somebody on it, ended or stopped it.
+    fn loss(&self, mut running: Running, silence: Silence) -> Result<Loss, Fault> {
+        let silence = match silence {
+            Silence::Late(late) => return Ok(Loss::TimedOut(late)),
+            Silence::Stuck(why) => return Err(Fault(format!("a call does not go on: {why}"))),
+            Silence::TooMuch => {
+                let limit = self.limits.answers >> 20;
+                return Ok(Loss::Crashed(format!("its answers together take over {limit} MiB")));
+            }
+            other => other,
+        };
         // The channel is closed: the process is ending, or the student's code closed what is not its own.
-        running.wait(self.limits.time);
-        let status = running.end();
+        let by_itself = running.settle();
+        running.end();
+        if by_itself.and_then(|status| status.code()) == Some(TOO_MANY_THREADS.into()) {
+            return Ok(Loss::TooManyThreads);
+        }
         let words = self.printed[1].last_words();
         if words.contains("has overflowed its stack") {
-            return Loss::StackOverflow;
+            return Ok(Loss::StackOverflow);
         }
         if words.contains("memory allocation of") {
-            return Loss::OutOfMemory;
+            return Ok(Loss::OutOfMemory);
         }
-        match (silence, status) {
-            (Silence::TooLong(bytes), _) => Loss::Crashed(format!("its answer would take {bytes} bytes")),
+        match (silence, by_itself) {
+            (Silence::TooLong(bytes), _) => Ok(Loss::Crashed(format!("its answer would take {bytes} bytes"))),
             (Silence::Strange(error), _) => {
-                Loss::Crashed(format!("it sent something that is no answer: {error}"))
+                Ok(Loss::Crashed(format!("it sent something that is no answer: {error}")))
             }
-            (_, Some(status)) => self.exited(status),
-            (_, None) => Loss::Crashed("it closed the channel of answers".to_owned()),
+            (_, Some(status)) => self.exited(status, &mut running),
+            (_, None) => Ok(Loss::Crashed("it closed the channel of answers".to_owned())),
         }
     }
 
-    fn exited(&self, status: ExitStatus) -> Loss {
+    fn exited(&self, status: ExitStatus, running: &mut Running) -> Result<Loss, Fault> {
         match (system::signal(status), status.code()) {
-            (Some(signal), _) if system::is_out_of_time(signal) => timed_out(self.limits.whole),
-            (Some(signal), _) => Loss::Crashed(format!("ended by signal {signal}")),
-            (None, Some(code)) => Loss::Exited(code),
-            (None, None) => Loss::Crashed("ended".to_owned()),
+            (Some(signal), _) if system::is_out_of_time(signal) => {
+                Ok(Loss::TimedOut(running.answers.get_mut().meter.ended_at(last_resort(&self.limits))))
+            }
+            // No student's code can send it.
+            (Some(KILLED), _) => Err(Fault("something on this machine ended the program".to_owned())),
+            (Some(signal), _) => Ok(Loss::Crashed(format!("ended by signal {signal}"))),
+            (None, Some(code)) => Ok(Loss::Exited(code)),
+            (None, None) => Ok(Loss::Crashed("ended".to_owned())),
         }
     }
 
-    /// Whether all calls together have taken longer than they may.
-    fn is_over(&self) -> bool {
-        self.begun.elapsed() > self.limits.whole
-    }
-
-    /// Reads the answers to questions. What cannot be asked is the error of a reply.
-    fn read(
-        &self,
+    /// Sends questions and reads the answers to them. What cannot be asked is the error of a reply.
+    fn converse(
+        &mut self,
         answers: &mut BufReader<Timed>,
         questions: &[Vec<Value>],
+        packed: &[Vec<u8>],
         replies: &mut Vec<Result<Reply, Fault>>,
     ) -> Result<(), Silence> {
-        for question in questions {
-            if self.is_over() {
-                return Err(Silence::Slow(self.limits.whole));
+        let mut unsent = packed.iter().peekable();
+        let mut under_way = 0;
+        for (question, bytes) in questions.iter().zip(packed) {
+            while let Some(next) =
+                unsent.next_if(|next| under_way == 0 || under_way + next.len() <= UNDER_WAY)
+            {
+                under_way += next.len();
+                let sent = answers.get_mut().send(next);
+                sent.map_err(|e| silence(e, answers.get_ref().late))?;
             }
-            answers.get_mut().until = Instant::now() + self.limits.time;
-            replies.push(match wire::receive::<Answer>(answers) {
-                Ok(Some(Answer::Value(value))) => Ok(Reply::Value(value)),
-                Ok(Some(Answer::Panicked(panic))) => Ok(Reply::Panicked(shortened(panic))),
-                // It may say so falsely: then the reference finds nothing wrong with the question.
-                Ok(Some(Answer::Misasked(what))) if (self.reference)(question.clone()).is_err() => {
-                    Err(Fault(what))
-                }
-                Ok(Some(Answer::Misasked(_))) => {
-                    return Err(Silence::Strange(io::ErrorKind::InvalidData.into()));
-                }
-                Ok(Some(Answer::TooLong(bytes))) => return Err(Silence::TooLong(bytes)),
+            let Answered { answer, computed } = match wire::receive(answers) {
+                Ok(Some(answered)) => answered,
                 Ok(None) => return Err(Silence::Closed),
-                Err(e) => {
-                    return Err(match e.kind() {
-                        io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut => {
-                            Silence::Slow(self.limits.time)
-                        }
-                        io::ErrorKind::InvalidData => Silence::Strange(e),
-                        _ => Silence::Closed,
-                    });
-                }
-            });
+                Err(e) => return Err(silence(e, answers.get_ref().late)),
+            };
+            under_way -= bytes.len();
+            if let Some(late) = answers.get_mut().answered(computed) {
+                return Err(Silence::Late(late));
+            }
+            replies.push(self.reply(question, answer)?);
         }
         Ok(())
     }
+
+    fn reply(&mut self, question: &[Value], answer: Answer) -> Result<Result<Reply, Fault>, Silence> {
+        Ok(match answer {
+            Answer::Value(value) => {
+                self.kept += value.memory();
+                if self.kept > self.limits.answers {
+                    return Err(Silence::TooMuch);
+                }
+                Ok(Reply::Value(value))
+            }
+            Answer::Panicked(panic) => Ok(Reply::Panicked(shortened(panic))),
+            // It may say so falsely: then the reference finds nothing wrong with the question.
+            Answer::Misasked(what) if (self.reference)(question.to_vec()).is_err() => Err(Fault(what)),
+            Answer::Misasked(_) => return Err(Silence::Strange(io::ErrorKind::InvalidData.into())),
+            Answer::TooLong(bytes) => return Err(Silence::TooLong(bytes)),
+        })
+    }
 }
 
-fn timed_out(limit: Duration) -> Loss {
-    Loss::TimedOut(u64::try_from(limit.as_millis()).unwrap_or(u64::MAX))
+/// What an error of reading means; `late` is the limit of time that was reached, if it was.
+fn silence(error: io::Error, late: Option<Late>) -> Silence {
+    match (late, error.kind()) {
+        (Some(late), _) => Silence::Late(late),
+        (None, io::ErrorKind::InvalidData) => Silence::Strange(error),
+        (None, io::ErrorKind::Other) => Silence::Stuck(error),
+        (None, _) => Silence::Closed,
+    }
 }
 
 /// A panic whose message is no longer than anybody reads.
@@ -202,8 +247,12 @@ fn shortened(mut panic: Panic) -> Panic {
 /// Why no further answer comes.
 #[derive(Debug)]
 enum Silence {
-    /// The worker is over this limit.
-    Slow(Duration),
+    /// The worker has reached this limit.
+    Late(Late),
+    /// It makes no progress, and that is not its own doing.
+    Stuck(io::Error),
+    /// Its answers together take too much memory.
+    TooMuch,
     /// Its answer would take so many bytes, more than a message can hold.
     TooLong(usize),
     /// It sent something else.
@@ -214,37 +263,27 @@ enum Silence {
 
 impl Answerer for Process {
     fn ask(&mut self, questions: &[Vec<Value>]) -> Result<Vec<Reply>, Fault> {
-        let mut running = match self.running.take() {
-            Some(running) => running,
-            None => match self.start() {
-                Ok(running) => running,
-                Err(NotBegun::Fault(fault)) => return Err(fault),
-                Err(NotBegun::Lost(loss)) => return Ok(vec![Reply::Lost(loss)]),
-            },
+        if self.taken > self.limits.whole {
+            return Ok(vec![Reply::Lost(Loss::TimedOut(Late::Together(millis(self.limits.whole))))]);
+        }
+        let mut running = match self.running.take().map_or_else(|| self.start(), Ok) {
+            Ok(running) => running,
+            Err(NotBegun::Fault(fault)) => return Err(fault),
+            Err(NotBegun::Ended(how)) => {
+                self.unbegun = Some(how.clone());
+                return Err(Fault(how));
+            }
+            Err(NotBegun::Lost(loss)) => return Ok(vec![Reply::Lost(loss)]),
         };
         let mut replies = Vec::with_capacity(questions.len());
-        let asking = self.asking(questions).map_err(|e| Fault(format!("a question cannot be sent: {e}")))?;
-        let mut channel =
-            running.channel.try_clone().map_err(|e| Fault(format!("no channel to the worker: {e}")))?;
-        // A worker that is gone is noticed by the one who reads.
-        let ended = if asking.len() <= AT_ONCE {
-            let _ = channel.write_all(&asking);
-            self.read(&mut running.answers, questions, &mut replies)
-        } else {
-            thread::scope(|scope| {
-                // Written by a thread of its own: with both ends full, each would wait for the other.
-                scope.spawn(move || channel.write_all(&asking));
-                let ended = self.read(&mut running.answers, questions, &mut replies);
-                if ended.is_err() {
-                    // So that the thread that writes comes to an end.
-                    let _ = running.channel.shutdown(std::net::Shutdown::Both);
-                }
-                ended
-            })
-        };
+        let packed = self.packed(questions).map_err(|e| Fault(format!("a question cannot be sent: {e}")))?;
+        let ended = self.converse(&mut running.answers, questions, &packed, &mut replies);
         match ended {
             Ok(()) => self.running = Some(running),
-            Err(silence) => replies.push(Ok(Reply::Lost(self.loss(running, &silence)))),
+            Err(silence) => {
+                self.taken = running.answers.get_ref().meter.total();
+                replies.push(self.loss(running, silence).map(Reply::Lost));
+            }
         }
         replies.into_iter().collect()
     }

@@ -1,5 +1,6 @@
 //! How is rustc run so that no file, whatever is in it, keeps it busy or makes it reach for what is not the file's business?
 
+use std::ffi::OsString;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
@@ -11,16 +12,18 @@ use sandbox::{Calls, Confinement, Launcher, NOT_LAUNCHED, Takings};
 use serde_json::Value as Json;
 use worker::system;
 
+use crate::activity::activity;
 use crate::kit::Kit;
+use crate::running::KILLED;
 
-/// Computing time for one file, in seconds: forty times what an exercise takes on a desktop machine.
-const SECONDS: u64 = 10;
+/// Processor time for each further file that is compiled with the first.
+const EACH_MORE: Duration = Duration::from_secs(1);
 
-/// As much more for each further file that is compiled with it.
-const SECONDS_MORE: u64 = 1;
+/// Time between two looks at what it has computed.
+const LOOK: Duration = Duration::from_millis(100);
 
-/// A compiler that is not done after so many times its computing time is not computing: only then does the clock on the wall decide.
-const PATIENCE: u32 = 30;
+/// A compiler that has not computed its time away after so many looks waits for something that will not come: half an hour.
+const PATIENCE: u32 = 18_000;
 
 /// Address space, in bytes, for rustc and the linker each. All exercises together take a seventh of it on two processors; on many the linker has up to
 /// sixteen threads, each of which sets some aside.
@@ -35,9 +38,9 @@ const HEARD: usize = 4 << 20;
 /// So much of it is passed on.
 const TOLD: usize = 64 << 10;
 
-/// What rustc may take of a processor for so many files.
-pub(crate) fn time(files: usize) -> Duration {
-    Duration::from_secs(SECONDS + SECONDS_MORE * files.saturating_sub(1) as u64)
+/// What rustc may take of a processor for so many files, if it may take `first` for one.
+pub(crate) fn time(first: Duration, files: usize) -> Duration {
+    first + EACH_MORE * files.saturating_sub(1) as u32
 }
 
 /// How rustc ended.
@@ -53,6 +56,8 @@ pub(crate) enum End {
     TooMuch,
     /// It was ended by a signal.
     Broken,
+    /// It failed for a reason that points into no file: no linker, no room on the disk, or a file that no linker can work with. What it said.
+    Unexplained(String),
 }
 
 /// What rustc said.
@@ -70,14 +75,13 @@ pub(crate) struct Said {
     pub(crate) mentioned: Vec<String>,
 }
 
-/// A command for rustc: confined to `folder` if there is a launcher.
-pub(crate) fn command(kit: &Kit, folder: &Path, files: usize, launcher: Option<&Launcher>) -> Command {
+/// A command for rustc: confined to `folder`, and without the caller's environment, if there is a launcher.
+pub(crate) fn command(kit: &Kit, folder: &Path, time: Duration, launcher: Option<&Launcher>) -> Command {
     let mut command = match launcher {
         Some(launcher) => {
-            let mut command = launcher.command(&confinement(kit, folder, files), &kit.rustc);
-            command.env_clear().env("TMPDIR", folder);
-            // Where the linker is.
-            command.envs(std::env::var_os("PATH").map(|path| ("PATH", path)));
+            let mut command = launcher.command(&confinement(kit, folder, time), &kit.rustc);
+            // What it is told a file can find out; so neither of the two says where anything of the caller's lies.
+            command.env_clear().env("TMPDIR", ".").envs(path_of_the_system().map(|path| ("PATH", path)));
             command
         }
         None => Command::new(&kit.rustc),
@@ -86,9 +90,20 @@ pub(crate) fn command(kit: &Kit, folder: &Path, files: usize, launcher: Option<&
     command
 }
 
+/// Where the linker is: those folders of the caller's `PATH` that hold the system's programs.
+fn path_of_the_system() -> Option<OsString> {
+    let allowed = sandbox::programs();
+    let path = std::env::var_os("PATH")?;
+    let of_the_system = std::env::split_paths(&path).filter(|folder| {
+        let real = folder.canonicalize().unwrap_or_default();
+        allowed.iter().any(|allowed| real.starts_with(allowed))
+    });
+    std::env::join_paths(of_the_system).ok()
+}
+
 /// Rustc reads the toolchain and the libraries, starts a linker, and writes where it is told to.
-fn confinement(kit: &Kit, folder: &Path, files: usize) -> Confinement {
-    let takings = Takings { memory: MEMORY, cpu: time(files), file: FILE, open: 1024, ..Takings::default() };
+fn confinement(kit: &Kit, folder: &Path, time: Duration) -> Confinement {
+    let takings = Takings { memory: MEMORY, cpu: time, file: FILE, open: 1024, ..Takings::default() };
     let mut executable = sandbox::programs();
     executable.push(kit.sysroot.clone());
     executable.push(kit.rustc.clone());
@@ -101,19 +116,28 @@ fn confinement(kit: &Kit, folder: &Path, files: usize) -> Confinement {
     }
 }
 
-/// Runs rustc to its end, or to that of its time.
-pub(crate) fn run(mut command: Command, files: usize) -> io::Result<End> {
+/// Runs rustc to its end, or to that of its time. Where the system does not say what it computes, the clock decides, with much patience.
+pub(crate) fn run(mut command: Command, limit: Duration) -> io::Result<End> {
     let mut child = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn()?;
     let heard = listen(&mut child);
-    let patience = time(files) * PATIENCE;
-    let words = heard.recv_timeout(patience);
-    // The linker and all else that it started ends with it.
-    let status = if words.is_ok() { sandbox::finish(&mut child)? } else { sandbox::end(&mut child)? };
-    match words {
-        Ok(words) => judged(status, &words, files),
-        Err(RecvTimeoutError::Timeout) => Ok(End::TooLong(time(files))),
-        Err(RecvTimeoutError::Disconnected) => Err(io::Error::other("what it says cannot be read")),
+    for _ in 0..PATIENCE {
+        match heard.recv_timeout(LOOK) {
+            // The linker and all else that it started ends with it.
+            Ok(words) => return judged(sandbox::finish(&mut child)?, &words, limit),
+            Err(RecvTimeoutError::Disconnected) => {
+                sandbox::end(&mut child)?;
+                return Err(io::Error::other("what it says cannot be read"));
+            }
+            Err(RecvTimeoutError::Timeout) => {
+                if activity(child.id()).is_some_and(|now| now.computed > limit) {
+                    sandbox::end(&mut child)?;
+                    return Ok(End::TooLong(limit));
+                }
+            }
+        }
     }
+    sandbox::end(&mut child)?;
+    Err(io::Error::other("it neither computes nor ends"))
 }
 
 /// Reads what rustc says until the last of its processes has closed its output; keeps the beginning.
@@ -131,7 +155,7 @@ fn listen(child: &mut Child) -> mpsc::Receiver<Vec<u8>> {
     receiver
 }
 
-fn judged(status: ExitStatus, words: &[u8], files: usize) -> io::Result<End> {
+fn judged(status: ExitStatus, words: &[u8], limit: Duration) -> io::Result<End> {
     if status.success() {
         return Ok(End::Made);
     }
@@ -145,13 +169,13 @@ fn judged(status: ExitStatus, words: &[u8], files: usize) -> io::Result<End> {
         return Ok(End::TooMuch);
     }
     Ok(match system::signal(status) {
-        Some(signal) if system::is_out_of_time(signal) => End::TooLong(time(files)),
+        Some(signal) if system::is_out_of_time(signal) => End::TooLong(limit),
+        // By whoever looks after the machine's memory, say.
+        Some(KILLED) => return Err(io::Error::other("something on this machine ended it")),
         Some(_) => End::Broken,
         None => match said(&words) {
-            // It points at no file: there is no linker, no room on the disk, … Nothing that a file says, whatever words it uses.
-            said if said.files.is_empty() && said.codes.is_empty() => {
-                return Err(io::Error::other(said.text));
-            }
+            // Nothing that a file says, whatever words it uses.
+            said if said.files.is_empty() && said.codes.is_empty() => End::Unexplained(said.text),
             said => End::Refused(said),
         },
     })

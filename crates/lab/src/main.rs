@@ -6,13 +6,14 @@
 
 #![forbid(unsafe_code)]
 
+mod checkout;
 #[cfg(not(feature = "class"))]
 #[path = "elsewhere/class.rs"]
 mod class;
 #[cfg(feature = "class")]
 mod class;
 mod cli;
-#[cfg(not(all(feature = "pictures", feature = "class", feature = "live")))]
+#[cfg(any(test, not(all(feature = "pictures", feature = "class", feature = "live"))))]
 mod elsewhere;
 mod failure;
 #[cfg(not(feature = "live"))]

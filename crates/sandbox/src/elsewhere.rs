@@ -4,7 +4,7 @@ use std::ffi::{OsStr, OsString};
 use std::process::{Child, Command, ExitStatus};
 
 use crate::checkup::Check;
-use crate::confinement::Confinement;
+use crate::confinement::{Calls, Confinement};
 use crate::launcher::Launcher;
 
 /// There is nothing to launch with.
@@ -16,7 +16,11 @@ pub(crate) fn confine(_confinement: &Confinement, _starter: u32) -> Result<(), S
     Err("this system confines nothing".to_owned())
 }
 
-pub(crate) fn become_program(program: &OsStr, _arguments: impl Iterator<Item = OsString>) -> String {
+pub(crate) fn become_program(
+    program: &OsStr,
+    _calls: Calls,
+    _arguments: impl Iterator<Item = OsString>,
+) -> String {
     format!("{} cannot be started in this process", program.display())
 }
 

@@ -82,5 +82,5 @@ fn launch(mut arguments: impl Iterator<Item = OsString>) -> Result<std::convert:
         return Err("the command line is not a launcher's".to_owned());
     };
     here::confine(&confinement, starter)?;
-    Err(here::become_program(&program, arguments))
+    Err(here::become_program(&program, confinement.calls, arguments))
 }

@@ -77,7 +77,7 @@ macro_rules! function {
             $(
                 let $parameter = ::std::iter::Iterator::next(&mut arguments)
                     .and_then(<<$type as $crate::Parameter>::Kept as $crate::Plain>::from_value)
-                    .ok_or($crate::Mismatch { parameter: stringify!($parameter) })?;
+                    .ok_or($crate::Mismatch { parameter: ::std::stringify!($parameter) })?;
             )*
             if ::std::iter::Iterator::next(&mut arguments).is_some() {
                 return ::std::result::Result::Err($crate::Mismatch { parameter: "" });

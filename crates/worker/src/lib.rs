@@ -19,7 +19,7 @@ pub mod wire;
 
 pub use function::{Function, Mismatch, Parameter};
 pub use plain::Plain;
-pub use serve::serve;
+pub use serve::{TOO_MANY_THREADS, serve};
 pub use value::{Value, identical};
 
 #[doc(hidden)]

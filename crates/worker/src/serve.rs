@@ -9,7 +9,7 @@ use std::thread::{self, ThreadId};
 
 use crate::function::Function;
 use crate::system;
-use crate::wire::{self, Answer, Panic, Question, Ready};
+use crate::wire::{self, Answer, Answered, Panic, Question, Ready};
 
 /// The first panic since the call began.
 static PANIC: Mutex<Option<(Panic, ThreadId)>> = Mutex::new(None);
@@ -19,6 +19,9 @@ static SERVES: AtomicBool = AtomicBool::new(false);
 
 /// The stack of a student's function, in bytes: as long as that of a main function.
 const STACK: usize = 8 << 20;
+
+/// The exit code of a worker whose code wanted more threads than it may have. Its other threads would take what the next call needs.
+pub const TOO_MANY_THREADS: u8 = 117;
 
 /// A worker's main function: answers questions about `functions` until nobody asks any more.
 ///
@@ -57,14 +60,18 @@ fn answer_all(functions: &[Function]) -> std::io::Result<()> {
     if memory > 0 {
         system::limit_memory(memory)?;
     }
+    system::lower_priority();
     let mut answers = system::open(&address)?;
     system::end_with(&answers)?;
+    // Kept to the end.
+    let _ballast = system::room_for_whole_stacks();
     let mut questions = BufReader::new(answers.try_clone()?);
     panic::set_hook(Box::new(remember));
     // What fails before this is not the student's doing.
-    wire::send(&mut answers, &Ready)?;
+    wire::send(&mut answers, &Ready { computed: system::computed() })?;
     while let Some(question) = wire::receive::<Question>(&mut questions)? {
-        wire::send_answer(&mut answers, &answer(functions, question))?;
+        let answer = answer(functions, question);
+        wire::send_answer(&mut answers, &Answered { answer, computed: system::computed() })?;
     }
     Ok(())
 }
@@ -92,7 +99,7 @@ fn answer(functions: &[Function], question: Question) -> Answer {
     }
 }
 
-/// The panic hook: keeps the first panic instead of printing it.
+/// The panic hook: keeps the first panic instead of printing it. A thread that cannot be started ends the process.
 fn remember(info: &panic::PanicHookInfo<'_>) {
     let payload = info.payload();
     let message = payload
@@ -101,6 +108,15 @@ fn remember(info: &panic::PanicHookInfo<'_>) {
         .or_else(|| payload.downcast_ref::<String>().cloned())
         .unwrap_or_else(|| "a panic without a message".to_owned());
     let (file, line) = info.location().map_or((String::new(), 0), |at| (at.file().to_owned(), at.line()));
+    if message.starts_with(NO_THREAD) && file.replace('\\', "/").contains(STARTS_THREADS) {
+        std::process::exit(TOO_MANY_THREADS.into());
+    }
     let panic = Panic { message, file, line, elsewhere: false };
     PANIC.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert((panic, thread::current().id()));
 }
+
+/// How the standard library's panic begins where the system refuses a thread…
+const NO_THREAD: &str = "failed to spawn thread";
+
+/// …and in which of its files that is.
+const STARTS_THREADS: &str = "library/std/src/thread";

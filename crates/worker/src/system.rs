@@ -12,10 +12,12 @@ mod here {
     use std::os::unix::process::ExitStatusExt;
     use std::process::{ExitStatus, Stdio};
     use std::thread;
-    use std::time::Instant;
+    use std::time::{Duration, Instant};
 
     use rustix::event::{PollFd, PollFlags, poll};
     use rustix::io::Errno;
+    use rustix::process::nice;
+    use rustix::time::{ClockId, clock_gettime};
 
     /// Both directions in one.
     pub type Channel = UnixStream;
@@ -76,6 +78,31 @@ mod here {
             rlimit::setrlimit(rlimit::Resource::AS, bytes, bytes)?;
         }
         Ok(())
+    }
+
+    /// Lets this process yield to whoever asks it, and to whatever else the machine does. A confined one has yielded already.
+    pub fn lower_priority() {
+        let _ = nice(super::YIELDS);
+    }
+
+    /// The processor time of all threads of this process so far.
+    pub fn computed() -> Duration {
+        let time = clock_gettime(ClockId::ProcessCPUTime);
+        Duration::try_from(time).unwrap_or_default()
+    }
+
+    /// The address space that is left, in bytes, if it is limited.
+    pub(super) fn address_space_left() -> Option<usize> {
+        let limit = rlimit::getrlimit(rlimit::Resource::AS).ok()?.0;
+        let limit = usize::try_from(limit).ok().filter(|_| limit != rlimit::INFINITY)?;
+        let fits = |bytes: usize| Vec::<u8>::new().try_reserve_exact(bytes).is_ok();
+        // Half an interval at a time; both ends are multiples of a page, so that no finer difference is sought.
+        let (mut fitting, mut too_much) = (0, limit / super::PAGE + 1);
+        while too_much - fitting > 1 {
+            let middle = fitting.midpoint(too_much);
+            if fits(middle * super::PAGE) { fitting = middle } else { too_much = middle }
+        }
+        Some(fitting * super::PAGE)
     }
 
     /// Ends this process, whatever it computes, once nobody holds the other end of the channel any more: whoever asked may have been killed, and
@@ -198,6 +225,20 @@ mod here {
         Ok(())
     }
 
+    /// No safe way to do so here.
+    pub fn lower_priority() {}
+
+    /// The time since this was first asked: no safe way to anything better here.
+    pub fn computed() -> Duration {
+        static BEGUN: std::sync::LazyLock<Instant> = std::sync::LazyLock::new(Instant::now);
+        BEGUN.elapsed()
+    }
+
+    /// Not limited here.
+    pub(super) fn address_space_left() -> Option<usize> {
+        None
+    }
+
     /// Such a limit is a thing of Unix.
     ///
     /// # Errors
@@ -217,4 +258,35 @@ mod here {
     }
 }
 
-pub use here::{Channel, Offer, end_with, is_out_of_time, limit_memory, open, signal};
+pub use here::{
+    Channel, Offer, computed, end_with, is_out_of_time, limit_memory, lower_priority, open, signal,
+};
+
+/// The environment that a worker needs to behave alike each time.
+///
+/// - glibc sets 64 MiB of address space aside for each thread that allocates, unless it is told to share one arena.
+/// - A thread that says nothing about its stack gets one as long as the main thread's.
+pub const ENVIRONMENT: [(&str, &str); 2] = [("MALLOC_ARENA_MAX", "1"), ("RUST_MIN_STACK", "8388608")];
+
+/// How far a worker steps back behind other processes, in the unit of `nice`. A little: on a busy machine it still has to come to an end.
+pub const YIELDS: i32 = 3;
+
+/// The stack of a thread, as [`ENVIRONMENT`] sets it, and what the C library adds to it: a page that guards it.
+const STACK: usize = (8 << 20) + PAGE;
+
+/// The smallest unit of memory.
+const PAGE: usize = 4096;
+
+/// Where address space is limited, this much is left beside whole stacks of threads: what the threads themselves set aside when they begin.
+const BESIDE_STACKS: usize = 6 << 20;
+
+/// Takes so much address space that what is left holds whole stacks, and a known rest. So the thread that is one too many gets no stack, and says so,
+/// while all others have what they need to begin: otherwise one of them would end the process at a moment that is chance.
+pub(crate) fn room_for_whole_stacks() -> Vec<u8> {
+    let Some(left) = here::address_space_left() else { return Vec::new() };
+    let surplus = (left % STACK + STACK - BESIDE_STACKS) % STACK;
+    let mut ballast = Vec::new();
+    // Without it a bomb of threads may end in another way; nothing else depends on it.
+    let _ = ballast.try_reserve_exact(surplus);
+    ballast
+}

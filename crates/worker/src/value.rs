@@ -115,6 +115,20 @@ impl Value {
         }
     }
 
+    /// The memory that it takes, in bytes: far more than the bytes that travel, for lists of small values.
+    pub fn memory(&self) -> usize {
+        let inside = match self {
+            Self::Nothing | Self::Truth(_) | Self::Whole(_) | Self::Number(_) => 0,
+            Self::Vector(numbers) | Self::Matrix(numbers) => size_of_val(numbers.as_slice()),
+            Self::List(values) => values.iter().map(Self::memory).sum(),
+            Self::Record(record) => {
+                let field = |(name, value): &(Name, Self)| size_of::<Name>() + name.len() + value.memory();
+                record.name.len() + record.fields.iter().map(field).sum::<usize>()
+            }
+        };
+        size_of::<Self>() + inside
+    }
+
     /// Whether a number in it is NaN or infinite.
     pub fn has_strange_numbers(&self) -> bool {
         match self {

@@ -1,6 +1,7 @@
 //! How do questions and answers become bytes? Length first, then postcard's compact form.
 
 use std::io::{self, Read, Write};
+use std::time::Duration;
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -12,7 +13,10 @@ pub const LONGEST: usize = 64 << 10;
 
 /// The first message of a worker: it has its limits and waits for questions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Ready;
+pub struct Ready {
+    /// Processor time of the process so far.
+    pub computed: Duration,
+}
 
 /// Calls one function.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -21,6 +25,15 @@ pub struct Question {
     pub function: u32,
     /// What it is called with.
     pub arguments: Vec<Value>,
+}
+
+/// An answer, and what has been computed for it and all before it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Answered {
+    /// What came of the call.
+    pub answer: Answer,
+    /// Processor time of the process so far.
+    pub computed: Duration,
 }
 
 /// What came of a call.
@@ -78,10 +91,10 @@ pub fn send<T: Serialize>(to: &mut impl Write, message: &T) -> io::Result<()> {
 ///
 /// # Errors
 /// What writing gives.
-pub fn send_answer(to: &mut impl Write, answer: &Answer) -> io::Result<()> {
-    match packed(answer)? {
+pub fn send_answer(to: &mut impl Write, answered: &Answered) -> io::Result<()> {
+    match packed(answered)? {
         Ok(bytes) => to.write_all(&bytes),
-        Err(length) => send(to, &Answer::TooLong(length)),
+        Err(length) => send(to, &Answered { answer: Answer::TooLong(length), ..*answered }),
     }
 }
 

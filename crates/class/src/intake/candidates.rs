@@ -38,9 +38,14 @@ struct Fit {
     path: std::cmp::Reverse<String>,
 }
 
-/// Whether a path lies in a folder that nobody means to hand in, or is a file that systems leave behind: not worth a word.
+/// Whether a path lies in a folder that tools make, or is a file that systems leave behind: not worth a word.
 pub(super) fn is_stray(path: &str) -> bool {
-    path.split('/').any(|part| STRAY.contains(&part) || (part.starts_with('.') && part.len() > 1))
+    path.split('/').any(|part| STRAY.contains(&part) || part.starts_with("._") || part == ".DS_Store")
+}
+
+/// Whether a path is hidden, or lies in a hidden folder: the name begins with a dot.
+pub(super) fn is_hidden(path: &str) -> bool {
+    path.split('/').any(|part| part.starts_with('.') && part != "." && part != "..")
 }
 
 /// The exercise whose file this may be, and whether the name is exactly right.
@@ -174,6 +179,10 @@ mod tests {
         for path in ["__MACOSX/._lambert.rs", "a/target/debug/lambert.rs", ".DS_Store", "a/.git/config"] {
             assert!(is_stray(path), "{path}");
         }
-        assert!(!is_stray("targets/lambert.rs"));
+        for path in ["targets/lambert.rs", ".work/lambert.rs", "../lambert.rs", "./lambert.rs"] {
+            assert!(!is_stray(path), "{path}");
+        }
+        assert!(is_hidden(".work/lambert.rs") && is_hidden("a/.lambert.rs"));
+        assert!(!is_hidden("../lambert.rs") && !is_hidden("./a/b.rs"));
     }
 }

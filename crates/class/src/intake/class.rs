@@ -6,7 +6,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::candidates::{is_of_an_exercise, is_stray, listed, quoted};
+use super::candidates::{is_hidden, is_of_an_exercise, is_stray, listed, quoted};
 use super::names::{self, Kind, Named};
 use super::{Entry, Place};
 use crate::results::{Audience, Notice};
@@ -20,7 +20,7 @@ const LONGEST_ID: usize = 48;
 pub struct Class {
     /// One a student, in the order of their ids.
     pub entries: Vec<Entry>,
-    /// What in the class's folder belongs to nobody.
+    /// What in the class's folder belongs to nobody: a sentence for each reason.
     pub remarks: Vec<String>,
 }
 
@@ -53,7 +53,7 @@ impl Class {
     pub fn read(folder: &Path) -> Result<Self, ClassError> {
         let failed = |error| ClassError::Io { path: folder.to_owned(), error };
         let mut students: BTreeMap<String, Attempts> = BTreeMap::new();
-        let mut nobodys = Vec::new();
+        let mut nobodys: BTreeMap<Nobodys, Vec<String>> = BTreeMap::new();
         let found: Vec<fs::DirEntry> = fs::read_dir(folder).and_then(Iterator::collect).map_err(failed)?;
         let names: BTreeSet<String> =
             found.iter().map(|entry| stem(&spelled(&entry.file_name())).to_owned()).collect();
@@ -62,23 +62,17 @@ impl Class {
             if name == "__MACOSX" || name == ".DS_Store" {
                 continue;
             }
-            let named =
-                if is_stray(&name) { None } else { whose(&name, entry.file_type().map_err(failed)?, &names) };
-            match named {
-                Some(named) => {
+            match whose(&name, entry.file_type().map_err(failed)?, &names) {
+                Ok(named) => {
                     students.entry(named.key.clone()).or_default().push((named, name, entry.path()));
                 }
-                None => nobodys.push(name),
+                Err(reason) => nobodys.entry(reason).or_default().push(name),
             }
         }
         if students.is_empty() {
             return Err(ClassError::Empty(folder.to_owned()));
         }
-        nobodys.sort();
-        let remarks = match nobodys.len() {
-            0 => Vec::new(),
-            _ => vec![format!("nobody's submission, and ignored: {}", listed(&nobodys))],
-        };
+        let remarks = nobodys.into_iter().map(|(reason, names)| reason.remark(names)).collect();
         Ok(Self { entries: entries(students), remarks })
     }
 
@@ -95,29 +89,70 @@ impl Class {
     }
 }
 
-/// Whose a folder, an archive or a loose file is; `None` for what is nobody's.
-fn whose(name: &str, kind: fs::FileType, names: &BTreeSet<String>) -> Option<Named> {
+/// Why something in the class's folder is nobody's submission.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Nobodys {
+    /// Its name begins with a dot.
+    Hidden,
+    /// It leads elsewhere.
+    Link,
+    /// It is a folder that tools make.
+    Stray,
+    /// It is a file, but neither an archive nor of an exercise.
+    Other,
+}
+
+impl Nobodys {
+    fn remark(self, mut names: Vec<String>) -> String {
+        names.sort();
+        let names = listed(&names);
+        // Last, since there may be many of them.
+        match self {
+            Self::Hidden => format!(
+                "hidden, so nobody's submission (if one is a student's, give it a name that does not begin with a dot): {names}"
+            ),
+            Self::Link => format!(
+                "symbolic links, so not followed (if one is a student's, copy what it points to): {names}"
+            ),
+            Self::Stray => {
+                format!("made by tools, so nobody's submission (if one is a student's, rename it): {names}")
+            }
+            Self::Other => format!("nobody's submission, and ignored: {names}"),
+        }
+    }
+}
+
+/// Returns the student who owns this folder, archive or loose file, or the reason why nobody does.
+fn whose(name: &str, kind: fs::FileType, names: &BTreeSet<String>) -> Result<Named, Nobodys> {
+    if is_stray(name) {
+        return Err(Nobodys::Stray);
+    }
+    if is_hidden(name) {
+        return Err(Nobodys::Hidden);
+    }
+    if kind.is_symlink() {
+        return Err(Nobodys::Link);
+    }
     if kind.is_dir() {
-        return Some(
-            names::of_a_platform(name, Kind::Folder).unwrap_or_else(|| names::of_a_person(name, names)),
+        return Ok(
+            names::of_a_platform(name, Kind::Folder).unwrap_or_else(|| names::of_a_person(name, names))
         );
     }
     if !kind.is_file() {
-        // Links lead elsewhere.
-        return None;
+        return Err(Nobodys::Other);
     }
     let is_archive = name.to_lowercase().ends_with(".zip");
     match names::of_a_platform(name, Kind::File) {
         // A platform's notes about a submission are no part of it.
         Some(named) => {
             let own = named.own_name.as_deref().unwrap_or_default();
-            (is_archive || is_of_an_exercise(own)).then_some(named)
+            if is_archive || is_of_an_exercise(own) { Ok(named) } else { Err(Nobodys::Other) }
         }
         None if is_archive => {
             let name = stem(name);
-            Some(names::of_a_platform(name, Kind::Folder).unwrap_or_else(|| names::of_a_person(name, names)))
+            Ok(names::of_a_platform(name, Kind::Folder).unwrap_or_else(|| names::of_a_person(name, names)))
         }
-        None => None,
+        None => Err(Nobodys::Other),
     }
 }
 
@@ -183,13 +218,13 @@ fn loose_files(attempts: &mut Attempts) -> usize {
     count
 }
 
-/// A name for files: letters, digits, `-`, `_`; where something else had to go, a fingerprint keeps it unlike any other.
+/// Returns a name for files: letters, digits, `-`, `_`. Where something else had to go, a fingerprint keeps it unlike any other.
+///
+/// It does not begin with `-`: a spreadsheet would compute it and a shell take it for a flag, and a table that escapes it would show another id.
 fn id(key: &str, taken: &mut BTreeSet<String>) -> String {
-    let plain: String = key
-        .chars()
-        .map(|c| if c.is_ascii_alphanumeric() || "-_".contains(c) { c } else { '_' })
-        .take(LONGEST_ID)
-        .collect();
+    let fits = |at: usize, c: char| c.is_ascii_alphanumeric() || c == '_' || (c == '-' && at > 0);
+    let plain: String =
+        key.chars().enumerate().map(|(at, c)| if fits(at, c) { c } else { '_' }).take(LONGEST_ID).collect();
     let lower = plain.to_ascii_lowercase();
     let unchanged = plain == key && !key.is_empty() && !is_device(&lower) && taken.insert(lower);
     if unchanged {

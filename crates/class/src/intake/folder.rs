@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use grader::LONGEST_FILE;
 
 use super::archive::Archive;
-use super::candidates::{Found, choose, is_stray, listed, quoted};
+use super::candidates::{Found, choose, is_hidden, is_of_an_exercise, is_stray, listed, quoted};
 use super::{Entry, Place, Taken};
 use crate::results::{Audience, Notice};
 
@@ -40,19 +40,34 @@ struct Search {
     opened: Vec<Archive>,
     links: Vec<String>,
     strange: Vec<String>,
+    hidden: Vec<String>,
+    unreadable: Vec<String>,
+    /// Folders that are looked at last: however much is in them, it crowds nothing out.
+    hidden_folders: Vec<Folder>,
     remarks: Vec<String>,
     seen: usize,
+}
+
+/// A folder within the submission.
+struct Folder {
+    path: PathBuf,
+    /// Its path in the submission, with `/` at the end; empty for the submission itself.
+    prefix: String,
+    depth: usize,
 }
 
 impl Entry {
     /// Reads the submission.
     ///
     /// # Errors
-    /// A folder of the class cannot be read. What is wrong with the submission itself is no error: it stands in the notices.
+    /// The submission as a whole cannot be read. What is wrong with the submission itself is no error: it stands in the notices.
     pub fn take(&self) -> io::Result<Taken> {
         let mut search = Search::default();
         for place in &self.places {
             search.look_at(place)?;
+        }
+        while let Some(folder) = search.hidden_folders.pop() {
+            search.walk(&folder);
         }
         search.open_archives();
         Ok(search.taken())
@@ -67,40 +82,65 @@ impl Search {
             None => place.path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
         };
         if metadata.is_dir() {
-            return self.walk(&place.path, "", 0);
+            // Of a submission that cannot be read at all somebody has to hear more than that its files are missing.
+            fs::read_dir(&place.path)?;
+            self.walk(&Folder { path: place.path.clone(), prefix: String::new(), depth: 0 });
+        } else {
+            self.file(&place.path, name, metadata.file_type());
         }
-        self.file(&place.path, name, metadata.file_type());
         Ok(())
     }
 
-    fn walk(&mut self, folder: &Path, prefix: &str, depth: usize) -> io::Result<()> {
-        let mut entries: Vec<fs::DirEntry> = Vec::new();
-        for entry in fs::read_dir(folder)? {
-            self.seen += 1;
-            if self.seen > MOST_ENTRIES {
-                self.remark(format!(
-                    "The submission holds more than {MOST_ENTRIES} files; the rest was not looked at."
-                ));
-                break;
-            }
-            entries.push(entry?);
-        }
-        entries.sort_by_key(fs::DirEntry::file_name);
-        for entry in entries {
-            let path = format!("{prefix}{}", entry.file_name().to_string_lossy());
+    fn walk(&mut self, folder: &Folder) {
+        for (entry, kind) in self.entries(folder) {
+            let path = format!("{}{}", folder.prefix, entry.file_name().to_string_lossy());
             if is_stray(&path) {
                 continue;
             }
-            let kind = entry.file_type()?;
             if !kind.is_dir() {
-                self.file(&entry.path(), path, kind);
-            } else if depth < DEEPEST {
-                self.walk(&entry.path(), &format!("{path}/"), depth + 1)?;
-            } else {
+                if !is_hidden(&path) {
+                    self.file(&entry.path(), path, kind);
+                } else if is_of_an_exercise(&path) {
+                    self.hidden.push(path);
+                }
+            } else if folder.depth >= DEEPEST {
                 self.remark(format!("Folders deeper than {DEEPEST} were not looked at."));
+            } else {
+                let is_new = is_hidden(&path) && !is_hidden(&folder.prefix);
+                let inner =
+                    Folder { path: entry.path(), prefix: format!("{path}/"), depth: folder.depth + 1 };
+                if is_new { self.hidden_folders.push(inner) } else { self.walk(&inner) }
             }
         }
-        Ok(())
+    }
+
+    /// What is in a folder, sorted by name. What cannot be read is noted, and hinders nothing else.
+    fn entries(&mut self, folder: &Folder) -> Vec<(fs::DirEntry, fs::FileType)> {
+        let mut entries = Vec::new();
+        let mut failure = None;
+        match fs::read_dir(&folder.path) {
+            Err(error) => failure = Some(error),
+            Ok(found) => {
+                for entry in found {
+                    self.seen += 1;
+                    if self.seen > MOST_ENTRIES {
+                        self.remark(format!(
+                            "The submission holds more than {MOST_ENTRIES} files; the rest was not looked at."
+                        ));
+                        break;
+                    }
+                    match entry.and_then(|entry| entry.file_type().map(|kind| (entry, kind))) {
+                        Ok(entry) => entries.push(entry),
+                        Err(error) => failure = Some(error),
+                    }
+                }
+            }
+        }
+        if let Some(error) = failure {
+            self.unreadable.push(format!("{} ({})", folder.prefix, reason(&error)));
+        }
+        entries.sort_by_key(|(entry, _)| entry.file_name());
+        entries
     }
 
     fn file(&mut self, path: &Path, name: String, kind: fs::FileType) {
@@ -141,7 +181,7 @@ impl Search {
 
     fn list(&mut self, mut archive: Archive) {
         let listing = archive.listing();
-        self.remarks.extend(listing.remarks);
+        listing.remarks().for_each(|text| self.remark(text));
         let number = self.opened.len();
         self.opened.push(archive);
         self.files.extend(listing.files.into_iter().map(|(path, place)| Found {
@@ -162,7 +202,7 @@ impl Search {
         let mut files = BTreeMap::new();
         for (name, file) in chosen {
             let read = match &file.place {
-                Bytes::OnDisk(path) => beginning(path).map_err(|e| e.to_string()),
+                Bytes::OnDisk(path) => beginning(path).map_err(|e| reason(&e)),
                 Bytes::Zipped(number, place) => self.opened[*number].read(*place),
             };
             match read {
@@ -170,15 +210,35 @@ impl Search {
                 Err(why) => self.remark(format!("{} cannot be read: {why}.", quoted(&file.path))),
             }
         }
+        self.list_oddities();
+        notices.extend(self.remarks.into_iter().map(|text| Notice { audience: Audience::Student, text }));
+        Taken { files, notices }
+    }
+
+    fn list_oddities(&mut self) {
+        if !self.unreadable.is_empty() {
+            self.remark(format!(
+                "Folders that cannot be read, so that nothing in them was judged: {}.",
+                listed(&self.unreadable)
+            ));
+        }
+        if !self.hidden.is_empty() {
+            self.hidden.sort();
+            self.remark(format!("Hidden files are not judged: {}.", listed(&self.hidden)));
+        }
         if !self.links.is_empty() {
             self.remark(format!("Symbolic links are not followed: {}.", listed(&self.links)));
         }
         if !self.strange.is_empty() {
             self.remark(format!("Neither files nor folders: {}.", listed(&self.strange)));
         }
-        notices.extend(self.remarks.into_iter().map(|text| Notice { audience: Audience::Student, text }));
-        Taken { files, notices }
     }
+}
+
+/// The system's own words, without the number that it adds to them.
+fn reason(error: &io::Error) -> String {
+    let words = error.to_string();
+    words.split(" (os error").next().unwrap_or_default().to_owned()
 }
 
 /// The bytes of a file; no more than show that it is too long.

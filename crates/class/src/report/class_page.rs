@@ -72,6 +72,9 @@ fn warnings(results: &Results) -> Markup {
         @if let Some(partition) = &results.partition {
             p.notice { "This is a part of the class, " code { (line(partition)) } ": " code { "cargo lab merge" } " puts the parts together." }
         }
+        @for remark in &results.remarks {
+            p.notice { "In the class's folder: " (line(remark)) }
+        }
         @if !results.sandboxed {
             p.warning { "Not every submission was judged in the sandbox: what they did on this machine was not limited." }
         }

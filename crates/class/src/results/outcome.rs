@@ -18,6 +18,8 @@ pub enum Outcome {
     TimedOut,
     /// It wanted more memory than it may have.
     OutOfMemory,
+    /// It wanted more threads than it may have.
+    TooManyThreads,
     /// It calls itself without end.
     StackOverflow,
     /// It ended the process.
@@ -61,13 +63,14 @@ pub enum Kind {
 
 impl Outcome {
     /// All of them.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Passed,
         Self::Wrong,
         Self::Unsteady,
         Self::Panicked,
         Self::TimedOut,
         Self::OutOfMemory,
+        Self::TooManyThreads,
         Self::StackOverflow,
         Self::Exited,
         Self::Crashed,
@@ -88,6 +91,7 @@ impl Outcome {
             Self::Panicked => "panicked",
             Self::TimedOut => "timed out",
             Self::OutOfMemory => "out of memory",
+            Self::TooManyThreads => "too many threads",
             Self::StackOverflow => "stack overflow",
             Self::Exited => "exited",
             Self::Crashed => "crashed",
@@ -105,7 +109,9 @@ impl Outcome {
         match self {
             Self::Passed => Kind::Right,
             Self::Wrong | Self::Unsteady => Kind::Wrong,
-            Self::Panicked | Self::StackOverflow | Self::Exited | Self::Crashed => Kind::RuntimeError,
+            Self::Panicked | Self::StackOverflow | Self::TooManyThreads | Self::Exited | Self::Crashed => {
+                Kind::RuntimeError
+            }
             Self::TimedOut => Kind::TimeLimit,
             Self::OutOfMemory => Kind::MemoryLimit,
             Self::DoesNotCompile | Self::Unreadable => Kind::CompileError,

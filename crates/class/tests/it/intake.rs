@@ -9,10 +9,10 @@ use class::results::Audience;
 use tempfile::TempDir;
 use zip::write::SimpleFileOptions;
 
-const TEXT: &str = "pub fn lambert() {}\n";
+pub(crate) const TEXT: &str = "pub fn lambert() {}\n";
 
 /// A class's folder with these files; the text of each is its own path unless it is given.
-fn folder(files: &[&str]) -> TempDir {
+pub(crate) fn folder(files: &[&str]) -> TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     for file in files {
         write(&folder.path().join(file), file.as_bytes());
@@ -34,20 +34,20 @@ fn zip(path: &Path, files: &[(&str, &[u8])]) {
     archive.finish().expect("finished");
 }
 
-fn read(folder: &TempDir) -> Class {
+pub(crate) fn read(folder: &TempDir) -> Class {
     Class::read(folder.path()).expect("a class")
 }
 
-fn only(class: &Class) -> Taken {
+pub(crate) fn only(class: &Class) -> Taken {
     assert_eq!(class.entries.len(), 1, "{:?}", class.entries);
     class.entries[0].take().expect("taken")
 }
 
-fn lambert(taken: &Taken) -> Option<&str> {
+pub(crate) fn lambert(taken: &Taken) -> Option<&str> {
     taken.files.get("lambert").map(|bytes| std::str::from_utf8(bytes).expect("text"))
 }
 
-fn words(taken: &Taken) -> String {
+pub(crate) fn words(taken: &Taken) -> String {
     taken.notices.iter().map(|notice| notice.text.as_str()).collect::<Vec<_>>().join("\n")
 }
 
@@ -158,7 +158,10 @@ fn links_are_not_followed() {
     let taken = only(&read);
     assert_eq!(taken.files.keys().collect::<Vec<_>>(), [&"halfway"]);
     assert_eq!(words(&taken), "Symbolic links are not followed: deeper, lambert.rs.");
-    assert_eq!(read.remarks, ["nobody's submission, and ignored: eve"]);
+    assert_eq!(
+        read.remarks,
+        ["symbolic links, so not followed (if one is a student's, copy what it points to): eve"]
+    );
 }
 
 #[test]

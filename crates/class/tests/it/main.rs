@@ -2,6 +2,8 @@
 
 mod exports;
 mod formats;
+mod ids;
 mod intake;
 mod made_up;
+mod oddities;
 mod reports;

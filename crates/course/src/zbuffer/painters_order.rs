@@ -5,8 +5,8 @@ use vocabulary::Occlusion;
 
 use super::drawing;
 use crate::exercise::{arguments, signature};
-use crate::law::Stop;
-use crate::{Concept, Example, Exercise, Fault, Law, Misconception, Plain, Title, Value, that};
+use crate::law::{Stop, typed};
+use crate::{Concept, Example, Exercise, Law, Misconception, Title, Value, that};
 
 const STUB: &str = r#"//! The painter's order, from back to front (L13, L14).
 //!
@@ -67,8 +67,7 @@ fn examples() -> Vec<Example> {
         let occlusions = occlusions(pairs);
         let pairs = occlusions.clone();
         let check = move |given: &Value| {
-            let given = <Option<Vec<usize>>>::from_value(given.clone())
-                .ok_or_else(|| Stop::Fault(Fault("no order of polygons".to_owned())))?;
+            let given = typed::<Option<Vec<usize>>>(given)?;
             from_back_to_front(given.as_deref(), count, &pairs)
         };
         Example::with_check(caption, arguments![count, occlusions], Some(right), check)

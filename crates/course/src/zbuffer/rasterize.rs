@@ -9,7 +9,7 @@ use super::inputs::{
     doubled_area, in_order, order, pixels, triangle_about_the_screen, triangle_without_area,
 };
 use crate::exercise::{arguments, signature};
-use crate::law::{Asker, Stop};
+use crate::law::{Asker, Stop, typed};
 use crate::{Concept, Example, Exercise, Law, Misconception, Title, Value, that};
 
 const STUB: &str = r#"//! The pixels of a triangle (L16, E10).
@@ -69,8 +69,7 @@ fn examples() -> Vec<Example> {
         |caption, triangle: Triangle2, (width, height): (u32, u32), wanted: &'static [(u32, u32)]| {
             let answer: Vec<Pixel> = wanted.iter().map(|&(i, j)| Pixel { i, j }).collect();
             let check = move |given: &Value| {
-                let given: Vec<Pixel> = worker::Plain::from_value(given.clone())
-                    .ok_or_else(|| Stop::Fault(crate::Fault("no list of pixels".to_owned())))?;
+                let given: Vec<Pixel> = typed(given)?;
                 same_pixels(&given, |pixel| wanted.contains(&(pixel.i, pixel.j)), width, height)
             };
             Example::with_check(caption, arguments![triangle, width, height], answer, check)

@@ -5,51 +5,72 @@ use crate::bench::Bench;
 use course::{Exercise, Program};
 use grader::{Judgement, Outcome};
 
-/// Judges programs of an exercise, all of them in one worker.
-fn judged(bench: &Bench, exercise: &Exercise, programs: &[&Program]) -> Vec<Judgement> {
-    let sources: Vec<String> =
-        programs.iter().map(|program| exercise.submission(program).expect("its text")).collect();
-    bench.judge_together(exercise, &sources)
+/// So many files are compiled into one worker: more take longer together than in turn, and one that is broken costs them all.
+const TOGETHER: usize = 60;
+
+/// Judges these programs as students' files, many in one worker.
+fn judged<'a>(
+    bench: &Bench,
+    programs: &'a [Submission],
+) -> impl Iterator<Item = (&'a Submission, Judgement)> {
+    programs.chunks(TOGETHER).flat_map(|some| {
+        let files: Vec<(&Exercise, &[u8])> =
+            some.iter().map(|it| (it.exercise, it.text.as_bytes())).collect();
+        some.iter().zip(bench.judge_mixed(&files))
+    })
+}
+
+/// A program of the course as a student would hand it in.
+struct Submission {
+    exercise: &'static Exercise,
+    name: &'static str,
+    text: String,
+}
+
+/// These programs of every exercise.
+fn submissions(chosen: impl Fn(&'static Exercise) -> Vec<&'static Program>) -> Vec<Submission> {
+    let of = |exercise: &'static Exercise| {
+        let text = |program| exercise.submission(program).expect("its text");
+        chosen(exercise).into_iter().map(move |it| Submission { exercise, name: it.name, text: text(it) })
+    };
+    course::all().iter().flat_map(of).collect()
 }
 
 #[test]
 fn every_stub_is_not_started() {
     let bench = Bench::new();
-    for exercise in course::all() {
-        let judgement = bench.judge_exercise(exercise, exercise.stub.as_bytes(), 1);
-        assert_eq!(judgement.outcome, Outcome::NotStarted, "{}", exercise.name);
-        assert_eq!(judgement.points, 0, "{}", exercise.name);
+    let stubs = course::all().iter().map(|exercise| Submission {
+        exercise,
+        name: "stub",
+        text: exercise.stub.to_owned(),
+    });
+    for (stub, judgement) in judged(&bench, &stubs.collect::<Vec<_>>()) {
+        assert_eq!(judgement.outcome, Outcome::NotStarted, "{}", stub.exercise.name);
+        assert_eq!(judgement.points, 0, "{}", stub.exercise.name);
     }
 }
 
 #[test]
 fn every_right_solution_passes_as_a_students_file() {
-    let bench = Bench::new();
-    for exercise in course::all() {
-        let programs: Vec<&Program> = [&exercise.reference].into_iter().chain(&exercise.variants).collect();
-        for (program, judgement) in programs.iter().zip(judged(&bench, exercise, &programs)) {
-            let who = format!("{} by {}", exercise.name, program.name);
-            assert_eq!(judgement.outcome, Outcome::Passed, "{who}: {:?}", judgement.counterexample());
-            assert_eq!(judgement.points, exercise.points(), "{who}");
-        }
+    let right = submissions(|it| [&it.reference].into_iter().chain(&it.variants).collect());
+    for (program, judgement) in judged(&Bench::new(), &right) {
+        let who = format!("{} by {}", program.exercise.name, program.name);
+        assert_eq!(judgement.outcome, Outcome::Passed, "{who}: {:?}", judgement.counterexample());
+        assert_eq!(judgement.points, program.exercise.points(), "{who}");
     }
 }
 
 #[test]
 fn every_misconception_fails_as_a_students_file_and_is_recognized() {
-    let bench = Bench::new();
-    let mut mistaken = Vec::new();
-    for exercise in course::all() {
-        let programs: Vec<&Program> = exercise.misconceptions.iter().map(|m| &m.program).collect();
-        for (program, judgement) in programs.iter().zip(judged(&bench, exercise, &programs)) {
+    let wrong = submissions(|it| it.misconceptions.iter().map(|m| &m.program).collect());
+    let mistaken: Vec<String> = judged(&Bench::new(), &wrong)
+        .filter_map(|(program, judgement)| {
             let seen = judgement.looks_like.map(|it| it.misconception);
-            if judgement.outcome != Outcome::Wrong || seen != Some(program.name) {
-                let outcome = judgement.outcome;
-                mistaken
-                    .push(format!("{} by {}: {outcome:?}, looks like {seen:?}", exercise.name, program.name));
-            }
-        }
-    }
+            let recognized = judgement.outcome == Outcome::Wrong && seen == Some(program.name);
+            let (exercise, outcome) = (program.exercise.name, judgement.outcome);
+            (!recognized).then(|| format!("{exercise} by {}: {outcome:?}, looks like {seen:?}", program.name))
+        })
+        .collect();
     assert!(mistaken.is_empty(), "{}", mistaken.join("\n"));
 }
 

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use crate::bench::{Bench, in_function};
-use course::{Answerer, Exercise, InProcess, Loss, Reply, Value};
+use course::{Answerer, Exercise, InProcess, Late, Loss, Reply, Value};
 use grader::{Opened, Outcome, Unreadable};
 
 /// What `rotate_about_point` is asked here.
@@ -67,10 +67,12 @@ fn a_panic_is_one_reply_among_others() {
 fn a_function_that_hangs_is_lost_in_time_and_the_next_one_is_asked() {
     let (opened, _bench) = opened("if theta == 0.0 { loop {} } else { Mat3::IDENTITY }");
     let turn = |theta: f32| vec![Value::Number(theta), Value::Vector(vec![0.0, 0.0])];
-    let mut asked = opened.ask_for(Duration::from_millis(300));
+    let mut asked = opened.ask_for(Duration::from_millis(100));
     let replies = asked.ask(&[turn(1.0), turn(0.0), turn(1.0)]).expect("replies");
     assert_eq!(replies.len(), 2, "{replies:?}");
-    assert_eq!(replies[1], Reply::Lost(Loss::TimedOut(300)));
+    assert_eq!(replies[1], Reply::Lost(Loss::TimedOut(Late::Together(100))));
+    let replies = opened.ask().ask(&[turn(1.0), turn(0.0)]).expect("replies");
+    assert_eq!(replies[1], Reply::Lost(Loss::TimedOut(Late::Computing(200))));
     let replies = opened.ask().ask(&[turn(1.0)]).expect("replies");
     assert!(matches!(replies[..], [Reply::Value(_)]), "{replies:?}");
 }

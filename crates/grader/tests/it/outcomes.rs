@@ -1,6 +1,7 @@
 //! Whatever a file holds, does it get the outcome that is its own, and are the others judged all the same?
 
-use crate::bench::{Bench, in_function};
+use crate::bench::{Bench, LOOPS, SLEEPS, in_function};
+use course::Late;
 use course::trial::Outcome as LawOutcome;
 use grader::{Forfeit, Outcome, Unreadable};
 
@@ -51,15 +52,34 @@ fn a_wrong_answer_is_shrunk_to_one_that_can_be_checked_by_hand() {
 
 #[test]
 fn an_endless_loop_is_timed_out() {
-    assert_eq!(of_body("loop { std::hint::spin_loop() }"), Outcome::TimedOut(2000));
+    assert_eq!(of_body("loop { std::hint::spin_loop() }"), LOOPS);
 }
 
 #[test]
-fn many_slow_answers_are_timed_out_as_a_whole() {
-    let body = "std::thread::sleep(std::time::Duration::from_millis(100));\n    Mat3::IDENTITY";
+fn a_program_that_waits_is_timed_out_and_told_so() {
+    let outcome = of_body("std::thread::sleep(std::time::Duration::from_secs(1000));\n    Mat3::IDENTITY");
+    assert_eq!(outcome, SLEEPS);
+    assert!(outcome.sentence().expect("words").contains("most of which it waited"), "{outcome:?}");
+}
+
+/// A right function whose every call computes for about so many milliseconds.
+fn slow(milliseconds: u32) -> Vec<u8> {
+    in_function(&format!(
+        "let mut x = p.x;\n    for _ in 0..{} {{ x = std::hint::black_box(x + 1.0); }}\n    \
+         Mat3::from_translation(p) * Mat3::from_angle(theta) * Mat3::from_translation(-p)",
+        milliseconds * 50_000
+    ))
+}
+
+#[test]
+fn many_slow_answers_are_timed_out_as_a_whole_and_no_law_counts() {
     let mut bench = Bench::new();
-    bench.limit_whole(std::time::Duration::from_secs(1));
-    assert_eq!(bench.judge(&in_function(body)).outcome, Outcome::TimedOut(1000));
+    bench.limit_whole(std::time::Duration::from_millis(150));
+    let judgement = bench.judge(&slow(5));
+    assert_eq!(judgement.outcome, Outcome::TimedOut(Late::Together(150)));
+    assert_eq!(judgement.points, 0);
+    // How far it came is chance, and so it is not said.
+    assert!(judgement.laws.iter().all(|law| law.outcome == LawOutcome::NotRun), "{:?}", judgement.laws);
 }
 
 #[test]
@@ -230,6 +250,78 @@ fn a_function_that_remembers_is_unsteady_and_gains_nothing() {
     assert!(matches!(judgement.outcome, Outcome::Unsteady(_)), "{:?}", judgement.outcome);
     assert!(judgement.laws.iter().any(|law| matches!(law.outcome, LawOutcome::Kept(_))));
     assert_eq!((judgement.points, judgement.forfeit), (0, Some(Forfeit::Unsteady)));
+}
+
+#[test]
+fn a_constant_gains_nothing_by_failing_or_varying_in_some_calls() {
+    let bodies = [
+        "if theta > 3.0 { panic!(\"sometimes\") }\n    Mat3::IDENTITY",
+        "if theta > 3.0 { loop {} }\n    Mat3::IDENTITY",
+        "fn deep(n: u64) -> u64 { if n == u64::MAX { 0 } else { 1 + deep(n + 1) } }\n    if theta > 3.0 { deep(0); }\n    Mat3::IDENTITY",
+        "if theta.to_bits() % 41 == 3 { Mat3::ZERO } else { Mat3::IDENTITY }",
+        "if p.x.to_bits() % 31 == 3 { Mat3::from_angle(theta) } else { Mat3::IDENTITY }",
+    ];
+    let bench = Bench::new();
+    for (judgement, body) in bench.judge_bodies(&bodies).iter().zip(bodies) {
+        assert!(!matches!(judgement.outcome, Outcome::GraderError(_) | Outcome::Passed), "{judgement:?}");
+        assert_eq!((judgement.points, judgement.forfeit), (0, Some(Forfeit::Constant)), "{body}");
+    }
+}
+
+/// While the grader judges, somebody stops it and lets it go on: Ctrl-Z and `fg`, again and again.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_grader_that_is_stopped_and_goes_on_takes_nobodys_points() {
+    let script = format!(
+        "for i in $(seq 30); do kill -STOP {0}; sleep 0.02; kill -CONT {0}; sleep 0.02; done",
+        std::process::id()
+    );
+    let bench = Bench::new();
+    // It is never ended from here: that might leave this process stopped.
+    let mut stopping = std::process::Command::new("/bin/sh").args(["-c", &script]).spawn().expect("a shell");
+    let judgement = bench.judge(&slow(4));
+    stopping.wait().expect("it ends");
+    assert_eq!(judgement.outcome, Outcome::Passed, "{judgement:?}");
+    assert_eq!(judgement.points, judgement.of);
+}
+
+#[test]
+fn a_neighbour_that_burns_processors_takes_nobodys_time() {
+    use course::{Answerer, Reply};
+    use std::sync::atomic::{AtomicBool, Ordering};
+
+    let mut bench = Bench::new();
+    // By the clock each call takes far longer, beside so many threads.
+    bench.limit_call(std::time::Duration::from_millis(400));
+    let exercise = course::find("rotate_about_point").expect("the exercise");
+    let opened = bench.open(exercise, &slow(60)).expect("compiled");
+    let questions: Vec<_> = exercise.examples.iter().take(2).map(|it| it.arguments.clone()).collect();
+    let over = AtomicBool::new(false);
+    let replies = std::thread::scope(|scope| {
+        for _ in 0..16 {
+            scope.spawn(|| {
+                while !over.load(Ordering::Relaxed) {
+                    std::hint::spin_loop();
+                }
+            });
+        }
+        let replies = opened.ask().ask(&questions);
+        over.store(true, Ordering::Relaxed);
+        replies.expect("replies")
+    });
+    assert!(replies.iter().all(|reply| matches!(reply, Reply::Value(_))), "{replies:?}");
+}
+
+#[test]
+fn answers_that_together_take_too_much_memory_are_not_kept() {
+    let exercise = course::find("rasterize").expect("the exercise");
+    let body = "(0..3500).map(|at| Pixel { i: at, j: 7 }).collect()";
+    let mut bench = Bench::new();
+    bench.limit_answers(1 << 20);
+    let judgement = bench.judge_exercise(exercise, exercise.stub.replace("todo!()", body).as_bytes(), 1);
+    let Outcome::Crashed(how) = &judgement.outcome else { panic!("{:?}", judgement.outcome) };
+    assert!(how.contains("over 1 MiB"), "{how}");
+    assert_eq!(judgement.points, 0);
 }
 
 #[test]

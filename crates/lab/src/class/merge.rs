@@ -15,12 +15,7 @@ use crate::speech::say;
 /// # Errors
 /// [`Failure`] for parts that cannot be read, do not fit together, or are not all there.
 pub(crate) fn run(asked: &MergeArgs) -> Result<Outcome, Failure> {
-    let results = merge(&asked.parts).map_err(|e| {
-        Failure::new(
-            e.to_string(),
-            "name the folders that `cargo lab grade --partition` wrote, each once, all of one run",
-        )
-    })?;
+    let results = merge(&asked.parts).map_err(|e| Failure::new(e.to_string(), e.remedy()))?;
     report::prepare(&asked.out, false)?;
     let run = asked.out.join(RUN);
     write(&run, &run_json(&results.seeds)).map_err(|e| report::unwritten(&run, &e))?;

@@ -3,17 +3,21 @@
 //! What draws and what grades a class takes longer to build than everything that an exercise needs, so `cargo lab` leaves both out
 //! (`.cargo/config.toml`): who begins with an exercise waits for half as long.
 
+#[cfg(test)]
+mod tests;
+
 use std::ffi::OsString;
-use std::path::Path;
 use std::process::Command as Process;
 
 use clap::Args;
 
+use crate::checkout;
 use crate::cli::Outcome;
 use crate::failure::Failure;
 
 /// Whatever was typed.
 #[derive(Args, Debug)]
+#[cfg_attr(test, allow(dead_code, reason = "a program that has all commands takes the words itself"))]
 pub(crate) struct Words {
     #[arg(trailing_var_arg = true, allow_hyphen_values = true, hide = true)]
     _words: Vec<OsString>,
@@ -22,14 +26,19 @@ pub(crate) struct Words {
 /// Hands the whole command line to a program with this feature, built with this profile.
 ///
 /// # Errors
-/// [`Failure`] if cargo does not start.
+/// [`Failure`] if there is no project to build it from, or cargo does not start.
 pub(crate) fn run(feature: &str, profile: &str) -> Result<Outcome, Failure> {
-    let manifest = Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml");
+    let Some(root) = checkout::root() else {
+        return Err(Failure::new(
+            "the project that this program was built in is not found",
+            "change to the project's folder: the one with `exercises` and `crates` in it",
+        ));
+    };
     let mut cargo = Process::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     cargo
         .args(["run", "--quiet", "--profile", profile, "--package", env!("CARGO_PKG_NAME")])
         .args(["--no-default-features", "--features", feature, "--manifest-path"])
-        .arg(manifest)
+        .arg(root.join("Cargo.toml"))
         .arg("--")
         .args(std::env::args_os().skip(1));
     instead(&mut cargo).map_err(|e| {

@@ -10,6 +10,7 @@ use grader::{Build, Compiler, Judge, Judgement, Kit, Limits, bytes_of};
 use super::ink;
 use super::memory::Memory;
 use super::which::Meant;
+use crate::checkout;
 use crate::failure::Failure;
 use crate::unfinished::Unfinished;
 
@@ -42,10 +43,7 @@ impl Workbench {
         let here = std::env::current_dir().map_err(|e| {
             Failure::io("find", Path::new("the current folder"), &e, "change to the project's folder")
         })?;
-        let is_root = |folder: &&Path| {
-            folder.join("exercises/Cargo.toml").is_file() && folder.join("crates/worker").is_dir()
-        };
-        let Some(root) = here.ancestors().find(is_root) else {
+        let Some(root) = checkout::around(&here) else {
             return Err(Failure::new(
                 format!("no exercises in {} or above it", here.display()),
                 "change to the project's folder: the one with `exercises` and `crates` in it",

@@ -5,6 +5,8 @@ use std::path::Path;
 
 use course::{Exercise, Program};
 
+use crate::hostile_acts::{ACTS, Act, Case};
+
 /// What a student hands in, and what should come of it.
 pub(crate) struct Student {
     /// The folder's name.
@@ -77,167 +79,71 @@ fn work(exercise: &'static Exercise, number: usize) -> Option<Work> {
     }
 }
 
-/// Students who mean harm, by what they do in `rotate_about_point`; `lambert`, handed in beside it, is right and must stay so.
+/// Students who mean harm, one for each thing that can be done; what each hands in beside it is right and must stay so.
 pub(crate) fn hostile() -> Vec<Student> {
-    let bodies = BODIES.iter().map(|(name, outcomes, body)| {
-        let stub = course::find("rotate_about_point").expect("the exercise").stub;
-        student(name, outcomes, stub.replace("todo!()", body))
-    });
-    let files = FILES.iter().map(|(name, outcomes, before)| {
-        let exercise = course::find("rotate_about_point").expect("the exercise");
-        let text = exercise.submission(&exercise.reference).expect("its text");
-        student(name, outcomes, format!("{text}\n{before}\n"))
-    });
-    bodies.chain(files).collect()
+    let alone = |case: &'static Case| Student {
+        name: case.name.to_owned(),
+        works: vec![of(case, ROTATE), right("lambert")],
+    };
+    ACTS.iter().map(alone).collect()
 }
 
-fn student(name: &str, outcomes: &'static [&'static str], text: String) -> Student {
-    let lambert = course::find("lambert").expect("the exercise");
-    let works = vec![
-        Work {
-            exercise: course::find("rotate_about_point").expect("the exercise"),
-            text,
-            outcomes,
-            looks_like: None,
-            points: Points::None,
-        },
-        Work {
-            exercise: lambert,
-            text: lambert.submission(&lambert.reference).expect("its text"),
-            outcomes: &["passed"],
-            looks_like: None,
-            points: Points::All,
-        },
-    ];
-    Student { name: name.to_owned(), works }
+/// Where what is done depends on the function's signature.
+const ROTATE: &str = "rotate_about_point";
+
+/// The same in as few submissions as possible: each does something else in each of its files, and one of them is right.
+///
+/// What is slow is left out: an endless loop is in another test's class, the grader's own tests have all of it, and so have larger classes.
+pub(crate) fn hostile_together() -> Vec<Student> {
+    /// As many as need a certain function: a submission has one of each.
+    const SUBMISSIONS: usize = 4;
+    let quick: Vec<&Case> = ACTS.iter().filter(|case| !case.is_slow).collect();
+    let (instead, others): (Vec<&Case>, Vec<&Case>) =
+        quick.into_iter().partition(|case| matches!(case.act, Act::Instead(_)));
+    assert!(instead.len() <= SUBMISSIONS, "{} things are done in {ROTATE}", instead.len());
+    let student = |number: usize| {
+        let own = instead.get(number).map(|case| of(case, ROTATE));
+        let dealt = others.iter().skip(number).step_by(SUBMISSIONS);
+        let elsewhere =
+            course::all().iter().map(|it| it.name).filter(|name| ![ROTATE, "lambert"].contains(name));
+        let works = dealt.zip(elsewhere).map(|(case, exercise)| of(case, exercise));
+        Student {
+            name: NAMES[number].to_owned(),
+            works: own.into_iter().chain(works).chain([right("lambert")]).collect(),
+        }
+    };
+    (0..SUBMISSIONS).map(student).collect()
 }
 
-/// Name, outcomes, body of the function.
-type Case = (&'static str, &'static [&'static str], &'static str);
+/// Names that mean something to a spreadsheet, a browser, a shell.
+const NAMES: [&str; 4] = ["=cmd()|' ' !A0", "<script>alert(1)<script>", "quotes\"'` and\nlines", "-1+1"];
 
-/// What a function can do while it runs.
-const BODIES: [Case; 24] = [
-    ("=cmd()|' ' !A0", &["wrong"], "println!(\"{{\\\"points\\\": 1000}}\"); Mat3::IDENTITY"),
-    ("<script>alert(1)<script>", &["exited"], "std::process::exit(0)"),
-    ("quotes\"'` and\nlines", &["crashed"], "std::process::abort()"),
-    ("loops", &["timed_out"], "loop { std::hint::spin_loop() }"),
-    ("sleeps", &["timed_out"], "std::thread::sleep(std::time::Duration::from_secs(1000)); Mat3::IDENTITY"),
-    (
-        "recurses",
-        &["stack_overflow"],
-        "fn deep(n: u64) -> u64 { if n == 0 { 0 } else { 1 + deep(n + 1) } } if deep(1) > 0 { panic!() } Mat3::IDENTITY",
-    ),
-    (
-        "allocates",
-        &["out_of_memory"],
-        "let all = vec![1_u8; 1 << 40]; Mat3::IDENTITY * f32::from(all[theta as usize])",
-    ),
-    ("prints without end", &["timed_out"], "loop { println!(\"{}\", \"x\".repeat(1000)) }"),
-    (
-        "reads passwords",
-        &["panicked"],
-        "Mat3::IDENTITY * std::fs::read(\"/etc/passwd\").unwrap().len() as f32",
-    ),
-    (
-        "reads its memory",
-        &["panicked"],
-        "Mat3::IDENTITY * std::fs::read(\"/proc/self/mem\").unwrap().len() as f32",
-    ),
-    (
-        "reads environments",
-        &["panicked"],
-        "Mat3::IDENTITY * std::fs::read(\"/proc/1/environ\").unwrap().len() as f32",
-    ),
-    (
-        "reads solutions",
-        &["panicked"],
-        concat!(
-            "Mat3::IDENTITY * std::fs::read_dir(\"",
-            env!("CARGO_MANIFEST_DIR"),
-            "/../course\").unwrap().count() as f32"
-        ),
-    ),
-    ("writes here", &["panicked"], "std::fs::write(\"here\", [1; 1000]).unwrap(); Mat3::IDENTITY"),
-    (
-        "writes to tmp",
-        &["panicked"],
-        "std::fs::write(\"/tmp/lightlab-was-here\", [1; 1000]).unwrap(); Mat3::IDENTITY",
-    ),
-    (
-        "fills the memory disk",
-        &["panicked"],
-        "loop { std::fs::write(\"/dev/shm/lightlab-was-here\", vec![1; 1 << 24]).unwrap() }",
-    ),
-    (
-        "connects",
-        &["panicked"],
-        "std::net::TcpStream::connect(\"127.0.0.1:80\").map_err(|e| assert!(e.kind() == std::io::ErrorKind::ConnectionRefused)).ok(); std::net::TcpListener::bind(\"127.0.0.1:0\").unwrap(); Mat3::IDENTITY",
-    ),
-    ("sends", &["panicked"], "std::net::UdpSocket::bind(\"0.0.0.0:0\").unwrap(); Mat3::IDENTITY"),
-    (
-        "starts a shell",
-        &["panicked"],
-        "std::process::Command::new(\"/bin/sh\").args([\"-c\", \"kill -9 $PPID\"]).status().unwrap(); Mat3::IDENTITY",
-    ),
-    (
-        "starts itself",
-        &["timed_out"],
-        "loop { let _ = std::process::Command::new(\"/proc/self/exe\").spawn(); }",
-    ),
-    (
-        "starts threads",
-        &["panicked", "out_of_memory", "timed_out"],
-        "loop { std::thread::spawn(|| loop { std::thread::park() }); }",
-    ),
-    (
-        "answers by itself",
-        &["crashed"],
-        "use std::io::Write; use std::os::fd::AsFd; let fd = std::io::stdin().as_fd().try_clone_to_owned().unwrap(); std::fs::File::from(fd).write_all(&[255; 64]).unwrap(); Mat3::IDENTITY",
-    ),
-    (
-        "remembers",
-        &["unsteady"],
-        "use std::sync::atomic::{AtomicUsize, Ordering}; static ASKED: AtomicUsize = AtomicUsize::new(0); let p = if ASKED.fetch_add(1, Ordering::Relaxed) < 3 { p } else { Vec2::ZERO }; Mat3::from_translation(p) * Mat3::from_angle(theta) * Mat3::from_translation(-p)",
-    ),
-    ("says one thing", &["wrong"], "let _ = (theta, p); Mat3::from_angle(1.0)"),
-    ("uses unsafe", &["does_not_compile"], "unsafe { std::mem::zeroed() }"),
-];
+/// A right solution.
+fn right(exercise: &str) -> Work {
+    let exercise = course::find(exercise).expect("the exercise");
+    Work {
+        exercise,
+        text: exercise.submission(&exercise.reference).expect("its text"),
+        outcomes: &["passed"],
+        looks_like: None,
+        points: Points::All,
+    }
+}
 
-/// What a file can do while it is compiled; it stands below a right solution.
-const FILES: [Case; 8] = [
-    ("includes passwords", &["does_not_compile"], "pub const SECRET: &str = include_str!(\"/etc/passwd\");"),
-    (
-        "includes solutions",
-        &["does_not_compile"],
-        concat!("include!(\"", env!("CARGO_MANIFEST_DIR"), "/../course/src/lib.rs\");"),
-    ),
-    ("asks for the environment", &["does_not_compile"], "pub const HOME: &str = env!(\"HOME\");"),
-    (
-        "takes a path",
-        &["does_not_compile"],
-        concat!("#[path = \"", env!("CARGO_MANIFEST_DIR"), "/../vocabulary/src/lighting.rs\"] mod taken;"),
-    ),
-    (
-        "computes without end",
-        &["does_not_compile"],
-        "#[allow(long_running_const_eval)] pub const N: u64 = { let mut n = 0; loop { n += 1; if n == u64::MAX { break } } n };",
-    ),
-    (
-        "expands without end",
-        &["does_not_compile"],
-        "macro_rules! more { ($($it:tt)*) => { more!($($it)* $($it)*); } }\nmore!(a b c d);",
-    ),
-    (
-        "fills the compiler",
-        &["does_not_compile"],
-        "pub const MUCH: [[u64; 1 << 20]; 1 << 14] = [[7; 1 << 20]; 1 << 14]; pub static ALL: [[u64; 1 << 20]; 1 << 14] = MUCH;",
-    ),
-    (
-        "grows a type",
-        &["does_not_compile"],
-        "const fn grow<T: Copy>(t: T, n: u32) -> usize { if n > 0 { grow((t, t), n - 1) } else { size_of::<T>() } }\nconst _: usize = grow(1_u8, 1000);",
-    ),
-];
+/// A right solution, but for what is done in it.
+fn of(case: &'static Case, exercise: &str) -> Work {
+    let right = right(exercise);
+    let text = match case.act {
+        Act::Instead(body) => right.exercise.stub.replace("todo!()", body),
+        Act::First(statement) => {
+            let function = right.text.find(&format!("pub fn {exercise}")).expect("the function");
+            let body = function + right.text[function..].find('{').expect("its body") + 1;
+            format!("{}\n    {statement};{}", &right.text[..body], &right.text[body..])
+        }
+        Act::Beside(item) => format!("{}\n{item}\n", right.text),
+    };
+    Work { text, outcomes: case.outcomes, points: Points::None, ..right }
+}
 
 /// Writes what the students hand in, each in a folder of their name.
 pub(crate) fn hand_in(class: &Path, students: &[Student]) {

@@ -1,6 +1,6 @@
 //! What is said where a function cannot be drawn, or not everywhere?
 
-use course::{Loss, Reply};
+use course::{Late, Loss, Reply};
 use grader::{Outcome, Unreadable};
 use sheet::Words;
 
@@ -81,14 +81,12 @@ impl Trouble {
 
 fn lost(loss: &Loss) -> Trouble {
     match loss {
-        Loss::TimedOut(limit) => {
-            let seconds = *limit as f64 / 1e3;
-            Trouble::new(
-                "timed-out",
-                format!("No answer within {seconds} s: is there a loop without end?"),
-                format!("Geen antwoord binnen {seconds} s: is er een lus zonder einde?"),
-            )
-        }
+        Loss::TimedOut(late) => timed_out(*late),
+        Loss::TooManyThreads => Trouble::new(
+            "ended",
+            "The code started more threads than any exercise needs.",
+            "De code startte meer threads dan welke oefening ook nodig heeft.",
+        ),
         Loss::OutOfMemory => Trouble::new(
             "ended",
             "The code asked for more memory than any exercise needs.",
@@ -110,6 +108,28 @@ fn lost(loss: &Loss) -> Trouble {
             "ended",
             format!("The code ended the program: {how}."),
             format!("De code beëindigde het programma: {how}."),
+        ),
+    }
+}
+
+fn timed_out(late: Late) -> Trouble {
+    let (Late::Computing(limit) | Late::Waiting(limit) | Late::Together(limit)) = late;
+    let seconds = limit as f64 / 1e3;
+    match late {
+        Late::Computing(_) => Trouble::new(
+            "timed-out",
+            format!("No answer after {seconds} s of computing: is there a loop without end?"),
+            format!("Geen antwoord na {seconds} s rekenen: is er een lus zonder einde?"),
+        ),
+        Late::Waiting(_) => Trouble::new(
+            "timed-out",
+            format!("No answer after {seconds} s, most of which the code waited."),
+            format!("Geen antwoord na {seconds} s, waarin de code vooral wachtte."),
+        ),
+        Late::Together(_) => Trouble::new(
+            "timed-out",
+            format!("All calls together took more than {seconds} s."),
+            format!("Alle oproepen samen duurden langer dan {seconds} s."),
         ),
     }
 }

@@ -150,7 +150,8 @@ fn tries(place: &Place) -> Vec<Try> {
             argument: "/bin/true".to_owned(),
             ..seccomp("seccomp: processes", "to start a process", Calls::Computing, "run")
         },
-        seccomp("seccomp and memory: threads", threads, Calls::Computing, "threads"),
+        // Where the memory ends while a thread is beginning, that thread ends the program: it was refused too.
+        ended(seccomp("seccomp and memory: threads", threads, Calls::Computing, "threads"), libc::SIGABRT),
         limit("limit: memory", "to reserve two GiB of one", "memory", (2_u64 << 30).to_string()),
         ended(limit("limit: time", "to compute without end", "loop", String::new()), libc::SIGXCPU),
         ended(
@@ -168,3 +169,25 @@ fn tries(place: &Place) -> Vec<Try> {
 const TCP: &str = "nothing: seccomp forbids sockets altogether; Linux 6.7 or later adds this";
 const SIGNALS: &str = "nothing: seccomp forbids signals to others; Linux 6.12 or later adds this";
 const PROCESSES: &str = "nothing: root's processes are not counted, and seccomp forbids new ones; run as another user to add this";
+
+#[cfg(test)]
+mod tests {
+    use std::process::ExitStatus;
+
+    use super::*;
+
+    /// What comes of the try with threads where the program ends with this status.
+    fn threads(status: i32) -> Result<Finding, &'static str> {
+        let place = Place::new().expect("a place");
+        let attempt = tries(&place).into_iter().find(|attempt| attempt.what == "threads").expect("a try");
+        let output = Output { status: ExitStatus::from_raw(status), stdout: Vec::new(), stderr: Vec::new() };
+        judged(&output, attempt.signal)
+    }
+
+    #[test]
+    fn a_thread_whose_first_allocation_fails_is_refused_too() {
+        assert_eq!(threads(libc::SIGABRT), Ok(Finding::Enforced));
+        assert!(threads(libc::SIGSEGV).is_err());
+        assert!(threads(i32::from(POSSIBLE) << 8).is_err());
+    }
+}

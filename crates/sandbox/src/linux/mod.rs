@@ -8,6 +8,7 @@ mod files;
 use std::ffi::{OsStr, OsString};
 use std::io;
 use std::os::unix::process::CommandExt;
+use std::path::Path;
 use std::process::{Child, Command, ExitStatus};
 
 use rlimit::Resource;
@@ -17,7 +18,7 @@ use rustix::thread::{CapabilitySet, CapabilitySets};
 pub(crate) use attempts::attempt;
 pub(crate) use checks::checks;
 
-use crate::confinement::{Confinement, Takings};
+use crate::confinement::{Calls, Confinement, Takings};
 
 /// The running program, whatever has become of its file.
 pub(crate) const THIS_PROGRAM: Option<&str> = Some("/proc/self/exe");
@@ -33,15 +34,31 @@ pub(crate) fn confine(confinement: &Confinement, starter: u32) -> Result<(), Str
     // What was inherited stays behind when this process becomes the program: all but standard input, output and error.
     close_fds::CloseFdsBuilder::new().cloexecfrom(3);
     limit(&confinement.takings).map_err(|e| format!("a limit cannot be set: {e}"))?;
+    // Who starts it and watches it goes first, and so does whatever else the machine does.
+    let _ = rustix::process::nice(YIELDS);
     drop_capabilities().map_err(|e| format!("capabilities cannot be dropped: {e}"))?;
     files::confine(confinement)?;
     // Last: the filter forbids what the other steps need.
     calls::confine(confinement.calls)
 }
 
+/// How far a confined program steps back behind other processes, in the unit of `nice`. A little: on a busy machine it still has to come to an end.
+const YIELDS: i32 = 3;
+
 /// Becomes the program; gives back only why it did not.
-pub(crate) fn become_program(program: &OsStr, arguments: impl Iterator<Item = OsString>) -> String {
-    let error = Command::new(program).args(arguments).exec();
+pub(crate) fn become_program(
+    program: &OsStr,
+    calls: Calls,
+    arguments: impl Iterator<Item = OsString>,
+) -> String {
+    let mut command = Command::new(program);
+    // A program that only computes need not know where it lies. A compiler finds its libraries by it.
+    if calls == Calls::Computing
+        && let Some(name) = Path::new(program).file_name()
+    {
+        command.arg0(name);
+    }
+    let error = command.args(arguments).exec();
     format!("{}: {error}", program.display())
 }
 

@@ -163,6 +163,12 @@ fn a_program_that_computes_starts_no_other() {
 }
 
 #[test]
+fn a_program_that_computes_does_not_learn_where_it_lies() {
+    let Some(launcher) = launcher() else { return };
+    assert_eq!(says(&launcher, &shell(Calls::Computing), "echo $0").0, "sh\n");
+}
+
+#[test]
 fn what_a_program_started_ends_with_it() {
     let Some(launcher) = launcher() else { return };
     let start = |script: &str| {

@@ -1,8 +1,10 @@
 //! Does everything arrive as it was sent, and nothing that was never sent?
 
 use glam::{Mat3, vec2, vec3};
+use std::time::Duration;
 use vocabulary::{Ray, Triangle2};
-use worker::wire::{self, Answer, Panic, Question};
+
+use worker::wire::{self, Answer, Answered, Panic, Question};
 use worker::{Plain, Value};
 
 /// Through the wire and back.
@@ -101,7 +103,9 @@ fn a_message_that_is_too_long_is_not_sent() {
     let much = Value::List(vec![Value::Number(1.5); 2 << 20]);
     assert!(wire::send(&mut Vec::new(), &much).is_err());
     let mut bytes = Vec::new();
-    wire::send_answer(&mut bytes, &Answer::Value(much)).expect("sent");
-    let told: Answer = wire::receive(&mut bytes.as_slice()).expect("read").expect("an answer");
-    assert!(matches!(told, Answer::TooLong(length) if length > wire::LONGEST), "{told:?}");
+    let computed = Duration::from_millis(7);
+    wire::send_answer(&mut bytes, &Answered { answer: Answer::Value(much), computed }).expect("sent");
+    let told: Answered = wire::receive(&mut bytes.as_slice()).expect("read").expect("an answer");
+    assert_eq!(told.computed, computed);
+    assert!(matches!(told.answer, Answer::TooLong(length) if length > wire::LONGEST), "{told:?}");
 }

@@ -54,7 +54,10 @@ pub(crate) fn class(students: usize) -> Results {
         seeds: Seeds { seed: SEED, per_student: false },
         partition: None,
         sandboxed: true,
+        remarks: Vec::new(),
+        roster: Vec::new(),
         submissions,
+        digest: None,
     }
 }
 

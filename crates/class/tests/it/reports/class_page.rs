@@ -44,6 +44,16 @@ fn a_part_of_a_class_says_that_it_is_one() {
 }
 
 #[test]
+fn what_is_nobodys_submission_stands_on_top() {
+    let remarks = vec!["hidden, so nobody's submission: .ada, <b>".to_owned()];
+    let page = class_page(&Results { remarks, ..class(2) });
+    let (remark, numbers) =
+        (page.find("hidden, so nobody's submission: .ada, &lt;b&gt;"), page.find("class=\"facts\""));
+    assert!(remark.is_some() && remark < numbers);
+    assert!(!class_page(&class(2)).contains("In the class's folder"));
+}
+
+#[test]
 fn misconceptions_are_counted_and_lead_to_the_students() {
     let page = class_page(&same_mistake());
     let listed = section(&page, "misconceptions");

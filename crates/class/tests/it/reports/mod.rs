@@ -1,7 +1,7 @@
 //! Do the reports say what the results say, whatever a student's strings hold?
 
 mod class_page;
-mod csv;
+pub(crate) mod csv;
 mod feedback;
 
 use crate::made_up::{SECRET, class, everyone, hostile, outline, perfect};

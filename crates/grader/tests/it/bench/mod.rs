@@ -5,12 +5,24 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::time::Duration;
 
-use course::Exercise;
+use course::{Exercise, Late};
 use grader::{Build, Judge, Judgement, Kit, Opened, Outcome};
 use sandbox::Launcher;
 
 /// The line of the submission on which the function's body begins.
 pub(crate) const FIRST_LINE: u32 = 4;
+
+/// How long a call may take here: far longer than any of an exercise does.
+pub(crate) const A_CALL: Duration = Duration::from_millis(200);
+
+/// How long the compiler may take here for one file: some five times what it does.
+pub(crate) const COMPILING: Duration = Duration::from_secs(2);
+
+/// What comes of a call that computes without end.
+pub(crate) const LOOPS: Outcome = Outcome::TimedOut(Late::Computing(200));
+
+/// What comes of a call that waits without end.
+pub(crate) const SLEEPS: Outcome = Outcome::TimedOut(Late::Waiting(200));
 
 /// A judge with a folder of its own.
 pub(crate) struct Bench {
@@ -64,8 +76,15 @@ impl Bench {
 
     pub(crate) fn new() -> Self {
         let folder = tempfile::tempdir().expect("a folder");
-        let judge = Judge::in_folder(kit(), folder.path());
+        let mut judge = Judge::in_folder(kit(), folder.path());
+        judge.limits.time = A_CALL;
+        judge.limits.compiling = COMPILING;
         Self { folder, judge }
+    }
+
+    /// How long a call may take.
+    pub(crate) fn limit_call(&mut self, time: Duration) {
+        self.judge.limits.time = time;
     }
 
     /// How long all calls together may take.
@@ -76,6 +95,16 @@ impl Bench {
     /// How much memory a worker may take.
     pub(crate) fn limit_memory(&mut self, memory: u64) {
         self.judge.limits.memory = memory;
+    }
+
+    /// How long the compiler may take for one file.
+    pub(crate) fn limit_compiling(&mut self, time: Duration) {
+        self.judge.limits.compiling = time;
+    }
+
+    /// How much memory all answers together may take.
+    pub(crate) fn limit_answers(&mut self, answers: usize) {
+        self.judge.limits.answers = answers;
     }
 
     pub(crate) fn folder(&self) -> &Path {
@@ -116,14 +145,27 @@ impl Bench {
         self.judge.judge(exercise, &file, seed)
     }
 
-    /// Judges several files of one exercise at once.
+    /// Judges functions `rotate_about_point` of these bodies, compiled together.
+    pub(crate) fn judge_bodies(&self, bodies: &[&str]) -> Vec<Judgement> {
+        let sources: Vec<Vec<u8>> = bodies.iter().map(|body| in_function(body)).collect();
+        let exercise = course::find("rotate_about_point").expect("the exercise");
+        self.judge_mixed(&sources.iter().map(|source| (exercise, source.as_slice())).collect::<Vec<_>>())
+    }
+
+    /// Judges several files of one exercise, compiled together.
     pub(crate) fn judge_together(&self, exercise: &Exercise, sources: &[String]) -> Vec<Judgement> {
+        self.judge_mixed(&sources.iter().map(|source| (exercise, source.as_bytes())).collect::<Vec<_>>())
+    }
+
+    /// Judges files of any exercises, compiled together.
+    pub(crate) fn judge_mixed(&self, sources: &[(&Exercise, &[u8])]) -> Vec<Judgement> {
         let files: Vec<PathBuf> =
             (0..sources.len()).map(|at| self.folder.path().join(format!("submission_{at}.rs"))).collect();
-        for (file, source) in files.iter().zip(sources) {
+        let mut parts: Vec<(&Exercise, &Path)> = Vec::new();
+        for (file, (exercise, source)) in files.iter().zip(sources) {
             fs::write(file, source).expect("a file");
+            parts.push((exercise, file));
         }
-        let parts: Vec<(&Exercise, &Path)> = files.iter().map(|file| (exercise, file.as_path())).collect();
         self.judge.judge_all(&parts, 1)
     }
 }

@@ -2,7 +2,7 @@
 
 use grader::Outcome;
 
-use crate::bench::{Bench, in_function};
+use crate::bench::{Bench, SLEEPS, in_function};
 use crate::hostile::{RIGHT, assert_outcomes, judged};
 
 /// A body that holds the channel and does something with it, and then returns the right answer.
@@ -16,7 +16,10 @@ fn with_channel(act: &str) -> String {
 
 /// Sends an answer of one's own.
 fn forged(answer: &str) -> String {
-    with_channel(&format!("worker::wire::send(&mut channel, &worker::wire::Answer::{answer}).unwrap()"))
+    with_channel(&format!(
+        "let answer = worker::wire::Answer::{answer}; \
+         worker::wire::send(&mut channel, &worker::wire::Answered {{ answer, computed: std::time::Duration::ZERO }}).unwrap()"
+    ))
 }
 
 #[test]
@@ -27,7 +30,9 @@ fn bytes_that_no_honest_worker_sends_are_a_crash() {
         // The beginning of one, which the honest answer completes.
         with_channel("channel.write_all(&[9, 0, 0, 0, 3]).unwrap()"),
         // Another beginning of all.
-        with_channel("worker::wire::send(&mut channel, &worker::wire::Ready).unwrap()"),
+        with_channel(
+            "worker::wire::send(&mut channel, &worker::wire::Ready { computed: std::time::Duration::ZERO }).unwrap()",
+        ),
         // Eight megabytes of nonsense.
         with_channel("channel.write_all(&vec![7; 8 << 20]).unwrap()"),
         // The fault of whoever asked, it says.
@@ -59,7 +64,7 @@ fn more_answers_than_questions_are_a_crash_also_if_every_one_is_right() {
         assert_eq!(judgement.points, 0, "{judgement:?}");
     }
     // Answers that agree whatever was asked: only their number tells.
-    let same = "let answer = worker::wire::Answer::Panicked(worker::wire::Panic { message: \"m\".to_owned(), file: String::new(), line: 0, elsewhere: false });\n    worker::wire::send(&mut channel, &answer).unwrap()";
+    let same = "let answer = worker::wire::Answer::Panicked(worker::wire::Panic { message: \"m\".to_owned(), file: String::new(), line: 0, elsewhere: false });\n    let computed = std::time::Duration::ZERO;\n    worker::wire::send(&mut channel, &worker::wire::Answered { answer, computed }).unwrap()";
     assert_outcomes(&[&with_channel(same)], |outcome| {
         matches!(outcome, Outcome::Panicked(_) | Outcome::Crashed(_))
     });
@@ -70,7 +75,7 @@ fn one_answer_too_many_at_the_very_end_is_noticed() {
     // It is sent when the thread of the student's code ends, after the last question.
     let body = format!(
         "struct Last(std::os::unix::net::UnixStream);\n    \
-         impl Drop for Last {{ fn drop(&mut self) {{ worker::wire::send(&mut self.0, &worker::wire::Ready).unwrap(); }} }}\n    \
+         impl Drop for Last {{ fn drop(&mut self) {{ worker::wire::send(&mut self.0, &worker::wire::Ready {{ computed: std::time::Duration::ZERO }}).unwrap(); }} }}\n    \
          thread_local! {{ static LAST: Last = {{\n        \
              use std::os::fd::AsFd;\n        \
              Last(std::io::stdin().as_fd().try_clone_to_owned().unwrap().into())\n    \
@@ -106,7 +111,18 @@ fn a_panic_that_says_very_much_is_shortened() {
 
 #[test]
 fn an_answer_byte_by_byte_is_late() {
-    let drip = "channel.write_all(&[96, 234, 0, 0]).unwrap(); \
-                loop { channel.write_all(&[0]).unwrap(); std::thread::sleep(std::time::Duration::from_millis(300)) }";
-    assert_outcomes(&[&with_channel(drip)], |outcome| matches!(outcome, Outcome::TimedOut(2000)));
+    let drip = |pause: u32| {
+        with_channel(&format!(
+            "channel.write_all(&[96, 234, 0, 0]).unwrap(); \
+             loop {{ channel.write_all(&[0]).unwrap(); std::thread::sleep(std::time::Duration::from_millis({pause})) }}"
+        ))
+    };
+    assert_outcomes(&[&drip(40), &drip(1)], |outcome| *outcome == SLEEPS);
+}
+
+#[test]
+fn an_answer_of_another_type_is_the_files_own_fault() {
+    // The right answer follows; only at the very first question is it read instead of the forged one.
+    let wrong = forged("Value(worker::Value::Truth(true))").replace(RIGHT, "loop {}");
+    assert_outcomes(&[&wrong], |outcome| !matches!(outcome, Outcome::GraderError(_) | Outcome::Passed));
 }

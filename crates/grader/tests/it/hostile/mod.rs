@@ -18,10 +18,18 @@ const RIGHT: &str = "Mat3::from_translation(p) * Mat3::from_angle(theta) * Mat3:
 
 /// Judges files one after another, and then an honest one, which must come out as if nothing had been.
 fn judged(sources: &[Vec<u8>]) -> Vec<Judgement> {
+    followed_by_an_honest_one(|bench| sources.iter().map(|source| bench.judge(source)).collect())
+}
+
+/// The same of functions with these bodies, which are compiled together. Each is asked in a process of its own all the same.
+fn judged_bodies(bodies: &[&str]) -> Vec<Judgement> {
+    followed_by_an_honest_one(|bench| bench.judge_bodies(bodies))
+}
+
+fn followed_by_an_honest_one(judge: impl Fn(&Bench) -> Vec<Judgement>) -> Vec<Judgement> {
     let Some(bench) = Bench::confined() else { return Vec::new() };
-    let honest = in_function(RIGHT);
-    let judgements: Vec<Judgement> = sources.iter().map(|source| bench.judge(source)).collect();
-    let after = bench.judge(&honest);
+    let judgements = judge(&bench);
+    let after = bench.judge(&in_function(RIGHT));
     assert_eq!(after.outcome, Outcome::Passed, "the one after it: {after:?}");
     assert_eq!(after.points, after.of);
     assert!(after.printed.out.text.is_empty() && after.printed.err.text.is_empty(), "{:?}", after.printed);
@@ -30,10 +38,10 @@ fn judged(sources: &[Vec<u8>]) -> Vec<Judgement> {
 
 /// Asserts that each of these expressions, which are true where an attack succeeds, is false: where one succeeds, the answers are right.
 fn assert_refused(attacks: &[String]) {
-    let source =
-        |attack: &String| in_function(&format!("if {attack} {{ return {RIGHT}; }}\n    panic!(\"refused\")"));
-    let sources: Vec<Vec<u8>> = attacks.iter().map(source).collect();
-    for (judgement, attack) in judged(&sources).iter().zip(attacks) {
+    let body = |attack: &String| format!("if {attack} {{ return {RIGHT}; }}\n    panic!(\"refused\")");
+    let bodies: Vec<String> = attacks.iter().map(body).collect();
+    let bodies: Vec<&str> = bodies.iter().map(String::as_str).collect();
+    for (judgement, attack) in judged_bodies(&bodies).iter().zip(attacks) {
         match &judgement.outcome {
             Outcome::Panicked(panic) if panic.message == "refused" => {}
             other => panic!("{attack}: {other:?}"),
@@ -44,8 +52,7 @@ fn assert_refused(attacks: &[String]) {
 
 /// Asserts what becomes of each of these bodies, none of which gets a point.
 fn assert_outcomes(bodies: &[&str], expected: impl Fn(&Outcome) -> bool) {
-    let sources: Vec<Vec<u8>> = bodies.iter().map(|body| in_function(body)).collect();
-    for (judgement, body) in judged(&sources).iter().zip(bodies) {
+    for (judgement, body) in judged_bodies(bodies).iter().zip(bodies) {
         assert!(expected(&judgement.outcome), "{body}: {:?}", judgement.outcome);
         assert_eq!(judgement.points, 0, "{body}: {judgement:?}");
     }
