@@ -184,12 +184,16 @@ impl Process {
         let mut unsent = packed.iter().peekable();
         let mut under_way = 0;
         for (question, bytes) in questions.iter().zip(packed) {
-            while let Some(next) =
-                unsent.next_if(|next| under_way == 0 || under_way + next.len() <= UNDER_WAY)
-            {
-                under_way += next.len();
-                let sent = answers.get_mut().send(next);
-                sent.map_err(|e| silence(e, answers.get_ref().late))?;
+            // In few large pieces: a channel has room for a few hundred pieces, however small they are.
+            if under_way <= UNDER_WAY / 2 {
+                let mut piece = Vec::new();
+                while let Some(next) =
+                    unsent.next_if(|next| under_way == 0 || under_way + next.len() <= UNDER_WAY)
+                {
+                    under_way += next.len();
+                    piece.extend_from_slice(next);
+                }
+                answers.get_mut().send(&piece).map_err(|e| silence(e, answers.get_ref().late))?;
             }
             let Answered { answer, computed } = match wire::receive(answers) {
                 Ok(Some(answered)) => answered,

@@ -112,7 +112,9 @@ mod here {
     /// What duplicating the handle or starting a thread gives.
     pub fn end_with(channel: &Channel) -> io::Result<()> {
         let channel = channel.try_clone()?;
+        let (begins, begun) = std::sync::mpsc::sync_channel(1);
         let watch = move || {
+            let _ = begins.send(());
             // Of nothing that is asked for: that the other end is gone is told in any case. Its writing alone may end before.
             let mut watched = [PollFd::new(&channel, PollFlags::empty())];
             loop {
@@ -124,7 +126,9 @@ mod here {
                 }
             }
         };
-        thread::Builder::new().name("watch".to_owned()).stack_size(WATCH).spawn(watch).map(drop)
+        thread::Builder::new().name("watch".to_owned()).stack_size(WATCH).spawn(watch)?;
+        // A thread that begins takes memory. From here on this one takes none, so what is left can be measured.
+        begun.recv().map_err(io::Error::other)
     }
 
     /// The stack of the thread that waits for the end, in bytes: the least that a confined process may have.

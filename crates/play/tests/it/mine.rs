@@ -173,7 +173,7 @@ fn a_loop_without_end_is_timed_out_and_the_next_save_is_drawn() {
     desk.write_lambert("loop { std::hint::spin_loop() }");
     let answer = desk.draw_lambert();
     assert_eq!(answer["state"], "timed-out", "{answer}");
-    assert_eq!(answer["message"]["en"], "No answer within 2 s: is there a loop without end?");
+    assert_eq!(answer["message"]["en"], "No answer after 2 s of computing: is there a loop without end?");
     desk.write_lambert(RIGHT);
     assert_eq!(desk.draw_lambert()["state"], "drawn");
 }

@@ -116,7 +116,7 @@ fn where_the_grader_failed_nothing_is_known_of_the_student() {
         let judged = results.submissions.len() - failed(&exercise.name);
         assert!(row.contains(&format!(" of {judged}</td>")), "{}: {row}", exercise.name);
     }
-    assert_eq!(failed("painters_order"), 1);
+    assert!(results.course.exercises.iter().any(|exercise| failed(&exercise.name) > 0));
 }
 
 #[test]
