@@ -247,7 +247,10 @@ fn nan_gets_words_of_its_own_and_a_hang_no_laws_help() {
     assert!(student.lab("check").out.contains("NaN and inf are no numbers"));
     student.solves(NAME, "loop {}");
     let out = student.lab("check --limit 0.2").out;
-    assert!(out.contains("No answer to the call below after 0.2 s of computing") && !out.contains("smallest"), "{out}");
+    assert!(
+        out.contains("No answer to the call below after 0.2 s of computing") && !out.contains("smallest"),
+        "{out}"
+    );
 }
 
 #[test]
