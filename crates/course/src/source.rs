@@ -53,19 +53,3 @@ fn calls(text: &str, name: &str) -> bool {
         !text[..at].ends_with(|before: char| before.is_alphanumeric() || "_.:".contains(before))
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const SOURCE: &str = "\nfn one(x: f32) -> f32 {\n    two(x) + one_more(x)\n}\n\nfn two(x: f32) -> f32 {\n    three(x)\n}\n\n\
-                          fn three(x: f32) -> f32 {\n    x.four()\n}\n\nfn four() {\n}\n\nfn more() {\n}\n";
-
-    #[test]
-    fn a_function_brings_those_that_it_calls() {
-        let one = cut_out(SOURCE, "one").unwrap();
-        assert!(one.starts_with("fn one(x") && one.ends_with('}'));
-        let heads: Vec<&str> = called(SOURCE, "one", one).map(|text| &text[..8]).collect();
-        assert_eq!(heads, ["fn two(x", "fn three"]);
-    }
-}

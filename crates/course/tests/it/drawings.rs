@@ -1,9 +1,11 @@
 //! Does every drawing stand whatever the answer is? Drawn from the counterexamples of all misconceptions, and from damaged answers.
 
 use course::trial::{Examination, examine};
-use course::{Exercise, InProcess, Picture, Reply, Value};
+use course::{Concept, Exercise, InProcess, Picture, Plain, Reply, Value};
+use glam::Vec3;
 use rayon::prelude::*;
 use testkit::effort;
+use vocabulary::{Barycentric, Buffers, Pixel};
 
 /// What is no coordinate of a point on a sheet.
 const STRANGE: [f32; 5] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 1e30, -0.0];
@@ -93,4 +95,68 @@ fn every_drawing_stands_for_every_misconception_and_for_damaged_answers() {
             }
         }
     });
+}
+
+/// The exercises whose drawings show a screen.
+fn on_a_screen() -> impl Iterator<Item = &'static Exercise> {
+    course::all().iter().filter(|exercise| exercise.concept == Concept::Zbuffer)
+}
+
+#[test]
+fn every_wrong_answer_to_an_example_of_the_z_buffer_is_drawn() {
+    for exercise in on_a_screen() {
+        for misconception in &exercise.misconceptions {
+            for example in &exercise.examples {
+                let Ok(Reply::Value(given)) =
+                    InProcess(misconception.program.function).reply(&example.arguments)
+                else {
+                    continue;
+                };
+                let who = format!("{} by {}", exercise.name, misconception.program.name);
+                let mut wrong = InProcess(misconception.program.function);
+                let picture = exercise.picture(&example.arguments, Some(&given), &mut wrong);
+                let picture = picture.unwrap_or_else(|| panic!("{who}: no picture"));
+                assert_fits(&picture, &who);
+            }
+        }
+    }
+}
+
+/// No number of a shape is none, and the text fits a terminal.
+fn assert_fits(picture: &Picture, who: &str) {
+    let shapes = picture.svg.split('<').filter(|tag| !tag.starts_with("text") && !tag.starts_with("style"));
+    for shape in shapes {
+        let attributes = shape.split('>').next().unwrap_or_default();
+        assert!(!attributes.contains("NaN") && !attributes.contains("inf"), "{who}: {attributes}");
+    }
+    for line in picture.text.iter().flat_map(|text| text.lines()) {
+        assert!(line.chars().count() <= 76, "{who}: {line}");
+    }
+}
+
+#[test]
+fn absurd_answers_break_no_drawing_of_the_z_buffer() {
+    let many = Value::List(vec![Value::Whole(7); 1000]);
+    let rows = vec![vec![f32::NAN; 2], Vec::new()];
+    let absurd = [
+        Value::Number(f32::NAN),
+        Value::Number(f32::NEG_INFINITY),
+        Value::Number(1e38),
+        Some(Barycentric { alpha: f32::NAN, beta: f32::INFINITY, gamma: 1e30 }).into_value(),
+        Buffers { rgb: vec![vec![Vec3::NAN; 9]; 9], z: rows }.into_value(),
+        Buffers { rgb: Vec::new(), z: Vec::new() }.into_value(),
+        vec![Pixel { i: u32::MAX, j: 0 }; 50].into_value(),
+        Value::Nothing,
+        many,
+    ];
+    for exercise in on_a_screen() {
+        for example in &exercise.examples {
+            for given in absurd.iter().map(Some).chain([None]) {
+                let who = format!("{} given {given:?}", exercise.name);
+                let mut right = InProcess(exercise.reference.function);
+                let picture = exercise.picture(&example.arguments, given, &mut right);
+                assert_fits(&picture.unwrap_or_else(|| panic!("{who}: no picture")), &who);
+            }
+        }
+    }
 }

@@ -155,3 +155,30 @@ fn the_same_seed_gives_the_same_trial_and_another_one_other_inputs() {
         assert_ne!(format!("{:?}", asked(7)), format!("{:?}", asked(8)), "{}", exercise.name);
     }
 }
+
+/// A file of an exercise in which one function calls others.
+const SOURCE: &str = "\nfn one(x: f32) -> f32 {\n    two(x) + one_more(x)\n}\n\nfn two(x: f32) -> f32 {\n    three(x)\n}\n\n\
+                      fn three(x: f32) -> f32 {\n    x.four()\n}\n\nfn four() {\n}\n\nfn more() {\n}\n";
+
+#[test]
+fn a_submission_brings_the_functions_that_it_calls_and_no_others() {
+    let exercise = &course::all()[0];
+    let stub = "//! A task.\n\npub fn solve(x: f32) -> f32 {\n    todo!()\n}\n";
+    let calling = Exercise {
+        name: "solve",
+        stub,
+        source: SOURCE,
+        examples: Vec::new(),
+        laws: Vec::new(),
+        variants: Vec::new(),
+        misconceptions: Vec::new(),
+        ..*exercise
+    };
+    let text = calling.submission(&Program { name: "one", ..exercise.reference }).expect("its text");
+    let heads: Vec<&str> = text.lines().filter(|line| line.contains("fn ")).collect();
+    assert_eq!(
+        heads,
+        ["pub fn solve(x: f32) -> f32 {", "fn two(x: f32) -> f32 {", "fn three(x: f32) -> f32 {"]
+    );
+    assert!(text.contains("    two(x) + one_more(x)\n}") && !text.contains("todo!()"), "{text}");
+}

@@ -1,5 +1,5 @@
 //! Does every exercise hold what it promises, compiled and asked like a student's file? The stub is not started, right solutions pass, every
-//! misconception fails and is recognized; as texts, which is how they are shown and handed out.
+//! misconception fails and is recognized; as texts, which is how they are shown and handed out. Two programs of a kind for each exercise by day, all at night.
 
 use crate::bench::Bench;
 use course::{Exercise, Program};
@@ -52,7 +52,8 @@ fn every_stub_is_not_started() {
 
 #[test]
 fn every_right_solution_passes_as_a_students_file() {
-    let right = submissions(|it| [&it.reference].into_iter().chain(&it.variants).collect());
+    let programs = testkit::effort(2, usize::MAX);
+    let right = submissions(|it| [&it.reference].into_iter().chain(&it.variants).take(programs).collect());
     for (program, judgement) in judged(&Bench::new(), &right) {
         let who = format!("{} by {}", program.exercise.name, program.name);
         assert_eq!(judgement.outcome, Outcome::Passed, "{who}: {:?}", judgement.counterexample());
@@ -62,7 +63,8 @@ fn every_right_solution_passes_as_a_students_file() {
 
 #[test]
 fn every_misconception_fails_as_a_students_file_and_is_recognized() {
-    let wrong = submissions(|it| it.misconceptions.iter().map(|m| &m.program).collect());
+    let programs = testkit::effort(2, usize::MAX);
+    let wrong = submissions(|it| it.misconceptions.iter().map(|m| &m.program).take(programs).collect());
     let mistaken: Vec<String> = judged(&Bench::new(), &wrong)
         .filter_map(|(program, judgement)| {
             let seen = judgement.looks_like.map(|it| it.misconception);

@@ -14,6 +14,7 @@ const ENTER: &str = "\u{e007}";
 const ESCAPE: &str = "\u{e00c}";
 
 #[test]
+#[ignore = "visits every page: for .ci/nightly"]
 fn the_keyboard_alone_goes_through_all_figures() {
     visit("", async |page| {
         // From the top of the page to the first figure of the list.

@@ -10,6 +10,7 @@ const PLACES: [&str; 8] =
     ["", "L27", "L31-exponent-strip", "L17", "L56-shadows", "loops", "steps?kind=solve&how=cramer", "claims"];
 
 #[test]
+#[ignore = "visits every page: for .ci/nightly"]
 fn nothing_is_wider_than_a_telephone() {
     visit_with("", (500, 844), async |page| {
         telephone(page).await;
@@ -26,6 +27,7 @@ fn nothing_is_wider_than_a_telephone() {
 }
 
 #[test]
+#[ignore = "visits every page: for .ci/nightly"]
 fn nothing_is_wider_than_a_projector_in_the_dark_either() {
     visit_with("", (1920, 1080), async |page| {
         for dark in [false, true] {
