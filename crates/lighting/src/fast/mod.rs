@@ -13,7 +13,7 @@
 //! The functions are generic over the instructions that are there (`S: Simd`); [`fearless_simd`] chooses them when the program
 //! runs. Callers enter once for many points, by [`fearless_simd::dispatch!`].
 //!
-//! The answer differs from that of [`crate::lit`] by rounding only; `tests/fast.rs` says by how much, and why.
+//! The answer differs from that of [`crate::lit`] by rounding only; `tests/it/fast.rs` says by how much, and why.
 
 mod model;
 mod power;
