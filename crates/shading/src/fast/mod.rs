@@ -11,7 +11,7 @@
 //!    or cancel out, neighbours of different objects.
 //!
 //! `cargo bench -p shading -- shadings` gives the ratio to [`crate::render_plain`]; the README quotes it. The picture is the slide's but for rounding in
-//! the colours, as `tests/laws/fast.rs` derives: highlights of exponent p are right to (p + 2) · 2⁻¹⁸ under two lights of at most 1. It does not depend on the processor or the
+//! the colours, as `tests/it/fast.rs` derives: highlights of exponent p are right to (p + 2) · 2⁻¹⁸ under two lights of at most 1. It does not depend on the processor or the
 //! number of threads.
 //!
 //! Depths have 32 bits: for 24 and 16, and for painters, there is [`crate::render()`]. Where that also says what each pixel shows and what it cost, this gives the picture alone.
