@@ -1,6 +1,6 @@
 //! What does each step of the fast search save? A million triangles and 69,312: building; viewing rays, shadow rays and rays
-//! from anywhere to anywhere, one by one and many at once, beside obvhs, whose hierarchy and triangle test many Rust programs use; and whole pictures by
-//! the fast search and by the slide's loop. One thread; read the ratios within a group.
+//! from anywhere to anywhere, one by one and many at once; and whole pictures by the fast search and by the slide's loop. One
+//! thread; read the ratios within a group. The package in `tests/peers` compares with other Rust libraries.
 
 mod scene;
 
@@ -12,13 +12,8 @@ use canvas::Rgb;
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 use geometry::{Mesh, Ray};
-use glam::{Mat4, Vec3A};
+use glam::Mat4;
 use lighting::Light;
-use obvhs::BvhBuildParams;
-use obvhs::bvh2::Bvh2;
-use obvhs::bvh2::builder::build_bvh2_from_tris;
-use obvhs::ray::RayHit;
-use obvhs::triangle::Triangle;
 use raytrace::{Object, Search, Settings, Shape, Surface, TracedMesh, World, fast, render};
 
 /// The meshes' names, squares along an edge of the cube, and how many rays are sent.
@@ -35,42 +30,6 @@ fn world(mesh: Mesh) -> World {
     World::new(vec![object], lights)
 }
 
-/// obvhs, with its triangles in the order of its leaves.
-struct Peer {
-    tree: Bvh2,
-    triangles: Vec<Triangle>,
-}
-
-impl Peer {
-    fn triangles(mesh: &Mesh) -> Vec<Triangle> {
-        let corners = (0..mesh.len()).map(|k| mesh.triangle(k).corners().map(Vec3A::from));
-        corners.map(|[v0, v1, v2]| Triangle { v0, v1, v2 }).collect()
-    }
-
-    fn tree(triangles: &[Triangle]) -> Bvh2 {
-        build_bvh2_from_tris(triangles, BvhBuildParams::medium_build(), &mut Duration::default())
-    }
-
-    fn new(mesh: &Mesh) -> Self {
-        let triangles = Self::triangles(mesh);
-        let tree = Self::tree(&triangles);
-        let triangles = tree.primitive_indices.iter().map(|k| triangles[*k as usize]).collect();
-        Self { tree, triangles }
-    }
-
-    fn nearest(&self, ray: &Ray) -> f32 {
-        let ray = obvhs::ray::Ray::new(ray.origin.into(), ray.direction.into(), 0.0, f32::MAX);
-        let mut hit = RayHit::none();
-        self.tree.ray_traverse(ray, &mut hit, |ray, k| self.triangles[k].intersect(ray));
-        hit.t
-    }
-
-    fn any(&self, ray: &Ray) -> bool {
-        let ray = obvhs::ray::Ray::new(ray.origin.into(), ray.direction.into(), 0.0, 1.0);
-        !self.tree.ray_traverse_miss(ray, |ray, k| self.triangles[k].intersect(ray))
-    }
-}
-
 fn group<'c>(criterion: &'c mut Criterion, name: &str) -> BenchmarkGroup<'c, WallTime> {
     let mut group = criterion.benchmark_group(name);
     group.sample_size(10).warm_up_time(Duration::from_millis(200)).measurement_time(Duration::from_secs(1));
@@ -80,7 +39,7 @@ fn group<'c>(criterion: &'c mut Criterion, name: &str) -> BenchmarkGroup<'c, Wal
 fn rays(criterion: &mut Criterion) {
     for (name, n) in MESHES {
         let mesh = scene::bumpy(n);
-        let (world, peer) = (world(mesh.clone()), Peer::new(&mesh));
+        let world = world(mesh);
         let primary = scene::primary(SIDE);
         let random = scene::random(primary.len() / 4);
         let mut met = vec![None; primary.len()];
@@ -95,12 +54,9 @@ fn rays(criterion: &mut Criterion) {
                 bencher
                     .iter(|| rays.iter().filter_map(|ray| fast::nearest(&world, ray, 0.0, f32::MAX)).count());
             });
-            group.bench_function("obvhs", |bencher| {
-                bencher.iter(|| rays.iter().filter(|ray| peer.nearest(ray) < f32::MAX).count());
-            });
         }
         fast::nearest_each(&world, &primary, 0.0, f32::MAX, &mut met);
-        // A little before the surface: obvhs' test is not exact, and ours should not have less to do.
+        // Slightly in front of the surface, so that a shadow ray does not start behind it.
         let start = |(ray, met): (&Ray, &Option<raytrace::Met>)| met.map(|met| ray.at(met.t * 0.999));
         let starts = primary.iter().zip(&met).filter_map(start);
         let shadow: Vec<Ray> = starts.map(|p| Ray::through(p, scene::LIGHT)).collect();
@@ -113,15 +69,11 @@ fn rays(criterion: &mut Criterion) {
         group.bench_function("one by one", |bencher| {
             bencher.iter(|| shadow.iter().filter(|ray| fast::any_hit(&world, ray, 0.0, 1.0)).count());
         });
-        group.bench_function("obvhs", |bencher| {
-            bencher.iter(|| shadow.iter().filter(|ray| peer.any(ray)).count());
-        });
     }
 }
 
 fn building(criterion: &mut Criterion) {
     let mesh = scene::bumpy(289);
-    let triangles = Peer::triangles(&mesh);
     let mut group = group(criterion, "building, 1M");
     for threads in [1, 2] {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
@@ -129,7 +81,6 @@ fn building(criterion: &mut Criterion) {
             bencher.iter(|| pool.install(|| TracedMesh::new(black_box(mesh.clone()))));
         });
     }
-    group.bench_function("obvhs", |bencher| bencher.iter(|| Peer::tree(black_box(&triangles))));
 }
 
 fn pictures(criterion: &mut Criterion) {

@@ -3,8 +3,8 @@
 //! The slide's loop ([`crate::nearest_brute`]) tests every triangle, in f64, exactly. What is here finds the same hit, bit
 //! by bit, and looks at a few boxes and triangles only. Step by step; each gain was measured in one run on one thread with a
 //! bumpy ball of 69,312 triangles, and in brackets with one of 1,002,252. What the first step is compared with is a hierarchy
-//! with two children a node and the exact test for each triangle of a leaf; it is no longer here, and `cargo bench -p raytrace
-//! --bench fast` compares with obvhs instead.
+//! with two children a node and the exact test for each triangle of a leaf; it is no longer here; `cargo run
+//! --release -p lightlab-peers` compares with obvhs, which has one.
 //!
 //! 1. **Eight boxes at once** (`tree.rs`). A node has eight children, their boxes stored by coordinate. One subtraction
 //!    then serves eight boxes, and the way down is a third as long: a viewing ray opens 6 nodes (8) and 1.4 leaves.
