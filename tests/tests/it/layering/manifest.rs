@@ -1,7 +1,7 @@
 //! What does a crate need? Its manifest says it, in several tables.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use toml::de::DeTable;
 
@@ -16,11 +16,19 @@ pub(crate) struct Manifest {
     pub(crate) dev_dependencies: Vec<String>,
 }
 
-/// The manifests of all packages of the workspace, these tests included.
+/// Returns the folders of all packages below `folder`: those that hold a manifest.
+fn packages(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
+    let folders = entries.map(|entry| entry.expect("an entry").path()).filter(|path| path.is_dir());
+    let found =
+        folders.flat_map(|path| if path.join("Cargo.toml").is_file() { vec![path] } else { packages(&path) });
+    found.collect()
+}
+
+/// Returns the manifests of all packages in `crates/`, and of these tests.
 pub(crate) fn manifests() -> Vec<Manifest> {
-    let crates = fs::read_dir(workspace().join("crates")).expect("crates/");
-    let folders = crates.map(|entry| entry.expect("an entry").path()).filter(|folder| folder.is_dir());
-    folders
+    packages(&workspace().join("crates"))
+        .into_iter()
         .chain([workspace().join("tests")])
         .map(|folder| {
             let text = read(&folder.join("Cargo.toml"));

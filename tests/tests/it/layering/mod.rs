@@ -25,15 +25,41 @@ fn read(path: &Path) -> String {
     fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
-/// Layer by crate, from the rows "| `name` | 2 | …" of the map.
-fn layers() -> BTreeMap<String, u32> {
-    let map = read(&workspace().join("crates/README.md"));
-    let rows = map.lines().filter_map(|line| {
+/// Folder and layer of each crate, from the headings "### `concepts/`" and the rows "| `name` | 2 | …" of the map.
+fn map() -> BTreeMap<String, (String, u32)> {
+    let text = read(&workspace().join("crates/README.md"));
+    let mut folder = String::new();
+    let mut rows = BTreeMap::new();
+    for line in text.lines() {
+        if let Some(heading) = line.strip_prefix("### `") {
+            heading.trim_end_matches('`').trim_end_matches('/').clone_into(&mut folder);
+        }
         let mut cells = line.split('|').map(str::trim).skip(1);
-        let name = cells.next()?.strip_prefix('`')?.strip_suffix('`')?;
-        Some((name.to_owned(), cells.next()?.parse().ok()?))
-    });
-    rows.collect()
+        let name = cells.next().and_then(|cell| cell.strip_prefix('`')?.strip_suffix('`'));
+        let layer = cells.next().and_then(|cell| cell.parse().ok());
+        if let (Some(name), Some(layer)) = (name, layer) {
+            rows.insert(name.to_owned(), (folder.clone(), layer));
+        }
+    }
+    rows
+}
+
+/// Layer of each crate.
+fn layers() -> BTreeMap<String, u32> {
+    map().into_iter().map(|(name, (_, layer))| (name, layer)).collect()
+}
+
+#[test]
+fn a_crate_lies_in_the_folder_that_the_map_lists_it_under() {
+    let map = map();
+    for Manifest { name, folder, .. } in manifests() {
+        let Some((expected, _)) = map.get(&name) else { continue };
+        assert!(
+            folder == workspace().join("crates").join(expected).join(&name),
+            "crates/README.md lists {name} under `{expected}/`, but it lies in {}",
+            folder.display()
+        );
+    }
 }
 
 #[test]
@@ -181,6 +207,7 @@ fn every_crate_opens_its_readme_with_a_question() {
 #[test]
 fn every_item_and_every_error_of_the_lecture_is_on_the_map() {
     let map = read(&workspace().join("crates/README.md"));
+    let errata = read(&workspace().join("crates/errata.md"));
     let items: Vec<u32> = map
         .lines()
         .filter_map(|line| line.strip_prefix("| L"))
@@ -189,7 +216,7 @@ fn every_item_and_every_error_of_the_lecture_is_on_the_map() {
         .collect();
     assert_eq!(items, (1..=58).collect::<Vec<_>>(), "L1…L58, each once");
     for error in 1..=18 {
-        assert!(map.contains(&format!("\n| E{error} |")), "E{error} is missing");
+        assert!(errata.contains(&format!("\n| E{error} |")), "E{error} is missing");
     }
 }
 
