@@ -9,7 +9,7 @@ use raytrace::{Settings, Shape, Surface, TracedMesh, fast};
 use shading::Shading;
 use shading::fast::Renderer;
 use transforms::Pipeline;
-use zbuffer::fast::{Band, Faces, NONE, Part, Projected};
+use zbuffer::fast::{Band, Faces, NONE, MeshInstance, Projected};
 
 use crate::drawing::{Draws, Picture, Seen};
 use crate::scenes::{self, Scene};
@@ -54,7 +54,7 @@ impl Draws for Drawing<'_> {
 
     /// Depths do not outlive the band of rows that they are for: those of the picture are found once more, by the same code.
     fn picture(&self) -> Picture {
-        let parts = [Part { mesh: &self.scene.mesh, world_from_object: Mat4::IDENTITY }];
+        let parts = [MeshInstance { mesh: &self.scene.mesh, world_from_object: Mat4::IDENTITY }];
         let (mut projected, mut band) = (Projected::default(), Band::default());
         projected.project(&parts, &self.view, Faces::Front);
         let mut depths = Vec::with_capacity(self.image.pixels().len());

@@ -57,7 +57,7 @@ fn rays(criterion: &mut Criterion) {
         }
         fast::nearest_each(&world, &primary, 0.0, f32::MAX, &mut met);
         // Slightly in front of the surface, so that a shadow ray does not start behind it.
-        let start = |(ray, met): (&Ray, &Option<raytrace::Met>)| met.map(|met| ray.at(met.t * 0.999));
+        let start = |(ray, met): (&Ray, &Option<raytrace::HitRecord>)| met.map(|met| ray.at(met.t * 0.999));
         let starts = primary.iter().zip(&met).filter_map(start);
         let shadow: Vec<Ray> = starts.map(|p| Ray::through(p, scene::LIGHT)).collect();
         let (ends, mut stopped) = (vec![1.0; shadow.len()], vec![false; shadow.len()]);

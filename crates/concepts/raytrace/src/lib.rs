@@ -38,7 +38,7 @@ pub use geometry::Ray;
 pub use mesh::TracedMesh;
 pub use object::{Object, ObjectError, Shape};
 pub use picture::{Settings, covers_anything, pick, render, render_rows, visible, visible_brute};
-pub use query::{Hit, Met, Search, all_met, any_hit, any_hit_brute, nearest, nearest_brute};
+pub use query::{Hit, HitRecord, Search, all_met, any_hit, any_hit_brute, nearest, nearest_brute};
 pub use surface::{Optics, Surface};
 pub use viewing::{viewing_ray, visible_interval};
 pub use world::{Interpolation, World};

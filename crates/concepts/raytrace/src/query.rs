@@ -56,9 +56,9 @@ impl Hit {
     }
 }
 
-/// The first half of a [`Hit`]: what was met and where on it.
+/// The first half of a [`Hit`]: which object the ray hits, and where.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Met {
+pub struct HitRecord {
     /// The place on the ray, e + t·d.
     pub t: f32,
     /// The object, by its place in [`World::objects`].
@@ -111,13 +111,17 @@ pub fn nearest(world: &World, ray: &Ray, t0: f32, t1: f32) -> Option<Hit> {
 ///
 /// [`nearest_brute`] keeps the one with the smallest t between t0 and t1.
 #[must_use]
-pub fn all_met(world: &World, ray: &Ray) -> Vec<Met> {
+pub fn all_met(world: &World, ray: &Ray) -> Vec<HitRecord> {
     let Some(ray) = SpaceRay::new(ray) else { return Vec::new() };
     let mut all = Vec::new();
     for (k, object) in world.objects().iter().enumerate() {
         let ray = object.ray_from_world(&ray);
-        let met =
-            |triangle, hit: TriangleHit| Met { t: hit.t, object: k as u32, triangle, weights: hit.weights };
+        let met = |triangle, hit: TriangleHit| HitRecord {
+            t: hit.t,
+            object: k as u32,
+            triangle,
+            weights: hit.weights,
+        };
         match object.shape() {
             Shape::Mesh(traced) => all.extend(traced.hits(&ray).map(|(triangle, hit)| met(triangle, hit))),
             shape => {
@@ -146,7 +150,7 @@ pub(crate) struct Nearest {
     t0: f32,
     t1: f32,
     object: u32,
-    best: Option<Met>,
+    best: Option<HitRecord>,
 }
 
 impl Nearest {
@@ -155,7 +159,7 @@ impl Nearest {
     }
 
     /// What was best, in the end.
-    pub(crate) fn met(&self) -> Option<Met> {
+    pub(crate) fn met(&self) -> Option<HitRecord> {
         self.best
     }
 
@@ -175,7 +179,7 @@ impl Nearest {
             }
         };
         if better {
-            self.best = Some(Met { t: hit.t, object: self.object, triangle, weights: hit.weights });
+            self.best = Some(HitRecord { t: hit.t, object: self.object, triangle, weights: hit.weights });
         }
     }
 
@@ -219,8 +223,8 @@ impl World {
     ///
     /// - `ray`: the one that met it, world space.
     #[must_use]
-    pub fn hit(&self, ray: &Ray, met: &Met) -> Hit {
-        let Met { t, object, triangle, weights } = *met;
+    pub fn hit(&self, ray: &Ray, met: &HitRecord) -> Hit {
+        let HitRecord { t, object, triangle, weights } = *met;
         let (object, triangle) = (object as usize, triangle as usize);
         let ray = SpaceRay::of(ray);
         let thing = &self.objects()[object];

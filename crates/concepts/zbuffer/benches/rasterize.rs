@@ -13,7 +13,7 @@ use geometry::{Barycentric, Triangle};
 use glam::{Mat4, Vec3, vec3};
 use transforms::{Camera, Pipeline, ViewVolume};
 use zbuffer::draw::{draw, draw_fast};
-use zbuffer::fast::{Band, Faces, Part, Projected};
+use zbuffer::fast::{Band, Faces, MeshInstance, Projected};
 use zbuffer::{
     DepthBuffer, DepthFormat, Fragment, ScreenTriangle, ScreenVertex, project, rasterize, rasterize_rows,
 };
@@ -153,7 +153,7 @@ fn frame(c: &mut Criterion) {
             });
         });
     }
-    let parts = [Part { mesh: &mesh, world_from_object: Mat4::IDENTITY }];
+    let parts = [MeshInstance { mesh: &mesh, world_from_object: Mat4::IDENTITY }];
     let (mut projected, mut band) = (Projected::default(), Band::default());
     let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
     for (name, faces) in [("fast", Faces::Both), ("fast, fronts only", Faces::Front)] {

@@ -4,7 +4,7 @@
 //! lecture: vectors and points upright and bold, numbers and angles in italics.
 //!
 //! - [`Sheet`]: lines, arrows, polygons, words; [`Sheet::svg`] gives a file that stands alone.
-//! - [`crowd`]: arrows with names that keep out of each other's way.
+//! - [`label_layout`]: arrows with names that keep out of each other's way.
 //! - [`plot`]: measured numbers over two axes.
 //! - [`text`]: numbers as they are printed.
 //! - [`view`]: things in space, through the lecture's camera.
@@ -12,7 +12,7 @@
 
 #![forbid(unsafe_code)]
 
-pub mod crowd;
+pub mod label_layout;
 mod matrix;
 pub mod plot;
 pub mod text;

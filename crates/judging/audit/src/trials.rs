@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use course::diagnosis::diagnose;
 use course::trial::{EXAMPLES, Examination, Outcome, examine};
 use course::{Exercise, Fault, InProcess, Program};
-use grader::{Crowd, Judge};
+use grader::{Batch, Judge};
 use rayon::prelude::*;
 
 use crate::equivalent::{self, Equivalent};
@@ -162,15 +162,15 @@ fn tried(exercise: &Exercise, judge: &Judge, mutants: &[Mutant]) -> Result<Vec<T
     }
     let fault = |why: String| AuditError::Judge { exercise: exercise.name, why };
     let paths: Vec<&Path> = files.iter().map(PathBuf::as_path).collect();
-    let crowd = judge.crowd(exercise, &paths).map_err(|outcome| fault(format!("{outcome:?}")))?;
+    let batch = judge.batch(exercise, &paths).map_err(|outcome| fault(format!("{outcome:?}")))?;
     let all: Result<Vec<Tried>, Fault> =
-        (0..mutants.len()).into_par_iter().map(|at| ask(exercise, &crowd, at)).collect();
+        (0..mutants.len()).into_par_iter().map(|at| ask(exercise, &batch, at)).collect();
     all.map_err(|it| fault(it.to_string()))
 }
 
-fn ask(exercise: &Exercise, crowd: &Crowd<'_>, at: usize) -> Result<Tried, Fault> {
+fn ask(exercise: &Exercise, batch: &Batch<'_>, at: usize) -> Result<Tried, Fault> {
     for seed in 1..=SEEDS_OF_MUTANTS {
-        let Some(mut answerer) = crowd.answerer(at) else { return Ok(None) };
+        let Some(mut answerer) = batch.answerer(at) else { return Ok(None) };
         let examination = examine(exercise, seed, &mut answerer)?;
         if !examination.passed() {
             return Ok(Some((seed, broken(&examination))));

@@ -10,12 +10,12 @@ use course::Exercise;
 use grader::{Judge, Judgement, Outcome as Judged};
 use rayon::prelude::*;
 
+use crate::checkpoint::{self, Checkpoint, Conditions};
+use crate::course_snapshot;
+use crate::digest::Digest;
 use crate::intake::{Class, Entry, Taken};
-use crate::kept::{self, Conditions, Kept};
-use crate::outline;
 use crate::partition::Partition;
 use crate::results::{Listed, Results, SCHEMA, Seeds, Submission, VERSION, Verdict};
-use crate::sum::Sum;
 use crate::verdict::verdict;
 
 /// Writes a file whole or not at all.
@@ -57,9 +57,9 @@ impl Grading<'_> {
     /// # Errors
     /// [`GradeError`]: what was judged cannot be kept.
     pub fn grade(&self, class: &Class) -> Result<Results, GradeError> {
-        let folder = self.report.join(kept::FOLDER);
+        let folder = self.report.join(checkpoint::FOLDER);
         fs::create_dir_all(&folder).map_err(|error| GradeError { path: folder.clone(), error })?;
-        let course = outline::course();
+        let course = course_snapshot::course();
         let count = class.entries.len();
         let share: Vec<&Entry> = class
             .entries
@@ -104,7 +104,7 @@ impl Grading<'_> {
             sandboxed: self.sandboxed,
             limits: format!("{:?}", self.judge.limits),
         };
-        let known = Kept::read(self.report, &entry.id)
+        let known = Checkpoint::read(self.report, &entry.id)
             .filter(|kept| self.resume && kept.conditions == conditions && !kept.failed());
         let is_known = known.is_some();
         let kept = match known {
@@ -114,8 +114,8 @@ impl Grading<'_> {
                     Some(problem) => failed(seed, &problem).iter().map(verdict).collect(),
                     None => self.verdicts(&taken, seed),
                 };
-                let kept = Kept::new(conditions, verdicts);
-                let path = kept::path(self.report, &entry.id);
+                let kept = Checkpoint::new(conditions, verdicts);
+                let path = checkpoint::path(self.report, &entry.id);
                 let written = kept.bytes().and_then(|bytes| (self.write)(&path, &bytes));
                 written.map_err(|error| GradeError { path, error })?;
                 kept
@@ -170,7 +170,7 @@ impl Grading<'_> {
     /// What is kept of students who are no longer in the class, or in another share, goes.
     fn forget_others(&self, share: &[&Entry]) {
         let ids: BTreeSet<&str> = share.iter().map(|entry| entry.id.as_str()).collect();
-        let Ok(entries) = fs::read_dir(self.report.join(kept::FOLDER)) else { return };
+        let Ok(entries) = fs::read_dir(self.report.join(checkpoint::FOLDER)) else { return };
         for path in entries.flatten().map(|entry| entry.path()) {
             let id = path.file_stem().and_then(|stem| stem.to_str());
             if !id.is_some_and(|id| ids.contains(id)) {
@@ -186,7 +186,7 @@ impl Seeds {
     pub fn of(&self, id: &str) -> u64 {
         if self.per_student {
             // Fits a number of any language.
-            Sum::of([&self.seed.to_le_bytes()[..], id.as_bytes()]).number() >> 16
+            Digest::of([&self.seed.to_le_bytes()[..], id.as_bytes()]).number() >> 16
         } else {
             self.seed
         }
@@ -203,7 +203,7 @@ fn failed(seed: u64, why: &str) -> Vec<Judgement> {
 
 fn fingerprint(taken: &Taken) -> String {
     let texts = taken.files.iter().flat_map(|(name, bytes)| [name.as_bytes(), bytes.as_slice()]);
-    Sum::of(texts).hexadecimal()
+    Digest::of(texts).hexadecimal()
 }
 
 /// A submission as every part lists it.
@@ -211,7 +211,7 @@ fn listed(entry: &Entry) -> Listed {
     Listed { id: entry.id.clone(), fingerprint: fingerprint(&entry.take().unwrap_or_default()) }
 }
 
-fn assembled(entry: &Entry, taken: Taken, kept: Kept) -> Submission {
+fn assembled(entry: &Entry, taken: Taken, kept: Checkpoint) -> Submission {
     let mut notices = entry.notices.clone();
     notices.extend(taken.notices);
     Submission {

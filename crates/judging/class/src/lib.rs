@@ -12,25 +12,25 @@
 #![forbid(unsafe_code)]
 
 mod changes;
+mod checkpoint;
+mod course_snapshot;
+mod digest;
 pub mod export;
 pub mod format;
 mod grading;
 pub mod handout;
 pub mod intake;
-mod kept;
 mod merge;
-mod outline;
 mod partition;
 pub mod report;
 mod report_folder;
 pub mod results;
-mod sum;
 mod verdict;
 
 pub use changes::{Change, Changes, changes};
+pub use checkpoint::FOLDER as KEPT;
+pub use course_snapshot::course;
 pub use grading::{GradeError, Grading, Write};
-pub use kept::FOLDER as KEPT;
 pub use merge::{MergeError, RESULTS, merge, read, read_with_pictures};
-pub use outline::course;
 pub use partition::{NoPartition, Partition};
 pub use report_folder::{RUN, files, read_run, run_json};

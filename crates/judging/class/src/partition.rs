@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use crate::sum::Sum;
+use crate::digest::Digest;
 
 /// One share of several, written as nextest writes it: `1/3`, `count:1/3`, `slice:1/3`, `hash:1/3`.
 ///
@@ -42,7 +42,7 @@ impl Partition {
                 let large = more * (each + 1);
                 if place < large { place / (each + 1) } else { more + (place - large) / each.max(1) }
             }
-            By::Hash => (Sum::of([id.as_bytes()]).number() % self.of as u64) as usize,
+            By::Hash => (Digest::of([id.as_bytes()]).number() % self.of as u64) as usize,
         };
         share == self.part - 1
     }

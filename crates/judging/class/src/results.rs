@@ -9,7 +9,7 @@ pub use outcome::{Kind, Outcome};
 
 use serde::{Deserialize, Serialize};
 
-use crate::sum::Sum;
+use crate::digest::Digest;
 
 /// What kind of file it is.
 pub const SCHEMA: &str = "lightlab-results";
@@ -63,7 +63,7 @@ impl Results {
     /// It shows a change by accident or by hand. Whoever wants to deceive can compute it anew.
     pub fn digest_of_content(&self) -> String {
         let json = serde_json::to_vec(&Self { digest: None, ..self.without_pictures() });
-        Sum::of([json.unwrap_or_default().as_slice()]).hexadecimal()
+        Digest::of([json.unwrap_or_default().as_slice()]).hexadecimal()
     }
 
     /// A copy as it stands in `results.json`: drawings are in the feedback alone.

@@ -5,13 +5,13 @@ use std::fs;
 use std::path::Path;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use grader::{Build, Judge, Kit};
+use grader::{Build, Judge, Libraries};
 
 fn verdicts(criterion: &mut Criterion) {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..");
     let folder = tempfile::tempdir().expect("a folder");
-    let kit = Kit::build(&root, Build::of("worker")).expect("the libraries");
-    let judge = Judge::in_folder(kit, folder.path());
+    let libraries = Libraries::build(&root, Build::of("worker")).expect("the libraries");
+    let judge = Judge::in_folder(libraries, folder.path());
     for name in ["rotate_about_point", "zbuffer", "light_all", "ray_color_recursive"] {
         let exercise = course::find(name).expect("the exercise");
         let text = |program| exercise.submission(program).expect("its text");

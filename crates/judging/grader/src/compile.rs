@@ -11,14 +11,14 @@ use sandbox::Launcher;
 
 use crate::forbidden::{self, Forbidden};
 use crate::judgement::Outcome;
-use crate::kit::Kit;
+use crate::libraries::Libraries;
 use crate::rustc::{self, End, Said};
 
 /// What rustc is asked for.
 #[derive(Clone, Debug)]
 pub struct Compiler {
     /// The libraries.
-    pub kit: Kit,
+    pub libraries: Libraries,
     /// Names of files are shown relative to this folder.
     pub root: PathBuf,
     /// Whether rustc's messages are coloured.
@@ -27,7 +27,7 @@ pub struct Compiler {
 
 /// A file and the exercise whose function is in it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Part<'a> {
+pub(crate) struct SourceFile<'a> {
     pub(crate) exercise: &'a Exercise,
     pub(crate) file: &'a Path,
 }
@@ -81,7 +81,7 @@ impl Compiler {
     /// there is a launcher, and may take `first` of a processor for the first file.
     pub(crate) fn worker(
         &self,
-        parts: &[Part<'_>],
+        parts: &[SourceFile<'_>],
         folder: &Path,
         first: Duration,
         launcher: Option<&Launcher>,
@@ -95,7 +95,7 @@ impl Compiler {
             return Err(refused);
         }
         lay_out(&texts, &main_file(parts, course::fingerprint(texts.concat())), &folder).map_err(failed)?;
-        let mut command = rustc::command(&self.kit, &folder, limit, launcher);
+        let mut command = rustc::command(&self.libraries, &folder, limit, launcher);
         command
             .args(["--edition", "2024", "--crate-name", "worker_of_a_student", "--crate-type", "bin"])
             // Debug assertions catch the overflow of an index; optimization would cost more than it gives.
@@ -116,7 +116,7 @@ impl Compiler {
             .args(["--error-format", "json"])
             .args(if self.colour { &["--json", "diagnostic-rendered-ansi"][..] } else { &[] })
             .args(self.remapped(parts, &folder))
-            .args(self.kit.arguments())
+            .args(self.libraries.arguments())
             .arg("-o")
             .arg(&worker)
             .arg(folder.join(MAIN));
@@ -133,7 +133,7 @@ impl Compiler {
     }
 
     /// That some of the files hold words that no solution needs, said as rustc says what it refuses.
-    fn forbidden(&self, parts: &[Part<'_>], texts: &[Vec<u8>]) -> Option<NotCompiled> {
+    fn forbidden(&self, parts: &[SourceFile<'_>], texts: &[Vec<u8>]) -> Option<NotCompiled> {
         let texts: Vec<_> = texts.iter().map(|text| String::from_utf8_lossy(text)).collect();
         let found = texts.iter().enumerate().filter_map(|(at, text)| Some((at, forbidden::first(text)?)));
         let (blamed, messages): (Vec<usize>, Vec<String>) = found
@@ -149,7 +149,7 @@ impl Compiler {
     }
 
     /// How files are called in messages and panics: as the student knows them, from the project's folder on.
-    fn remapped(&self, parts: &[Part<'_>], folder: &Path) -> Vec<OsString> {
+    fn remapped(&self, parts: &[SourceFile<'_>], folder: &Path) -> Vec<OsString> {
         // What comes later counts more.
         let mut arguments = vec![remap(folder, Path::new(""))];
         arguments.extend(
@@ -159,19 +159,19 @@ impl Compiler {
     }
 
     /// How a file is called in messages.
-    fn known(&self, part: &Part<'_>) -> PathBuf {
+    fn known(&self, part: &SourceFile<'_>) -> PathBuf {
         let known = part.file.strip_prefix(&self.root).unwrap_or(part.file);
         // The last `=` of rustc's argument separates the two.
         let separates = known.as_os_str().as_encoded_bytes().contains(&b'=');
         if separates { part.exercise.path().into() } else { known.to_owned() }
     }
 
-    fn refused(&self, said: Said, parts: &[Part<'_>]) -> NotCompiled {
+    fn refused(&self, said: Said, parts: &[SourceFile<'_>]) -> NotCompiled {
         if said.codes.iter().any(|code| code == "E0514" || code == "E0460") {
             return NotCompiled::OldKit;
         }
         let at_our_side = said.files.iter().any(|file| file == MAIN);
-        let note = parts.first().filter(|_| at_our_side).map(|Part { exercise, .. }| {
+        let note = parts.first().filter(|_| at_our_side).map(|SourceFile { exercise, .. }| {
             format!(
                 "The exercise asks for `pub fn {}{}`: name, parameters and result must be these.",
                 exercise.name,
@@ -221,14 +221,14 @@ fn stopped(how: &str) -> NotCompiled {
 }
 
 /// The main file: each student's file is a module of it. No file knows the name of another's module, or its own: a solution stands by itself.
-fn main_file(parts: &[Part<'_>], secret: u64) -> String {
+fn main_file(parts: &[SourceFile<'_>], secret: u64) -> String {
     let name = |at: usize| format!("student_{secret:016x}_{at}");
     let modules: String =
         (0..parts.len()).map(|at| format!("#[path = {:?}]\nmod {};\n", copy(at), name(at))).collect();
     let functions: String = parts
         .iter()
         .enumerate()
-        .map(|(at, Part { exercise, .. })| {
+        .map(|(at, SourceFile { exercise, .. })| {
             format!("worker::function!({}::{}, {}), ", name(at), exercise.name, exercise.signature.text)
         })
         .collect();

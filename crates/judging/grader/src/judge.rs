@@ -10,10 +10,10 @@ use course::{Exercise, Fault, Loss, Picture, Reply};
 use rayon::prelude::*;
 use sandbox::Launcher;
 
-use crate::compile::{Compiler, NotCompiled, Part};
-use crate::doubt;
+use crate::compile::{Compiler, NotCompiled, SourceFile};
+use crate::consistency;
 use crate::judgement::{Forfeit, Judgement, LooksLike, Outcome, Unreadable};
-use crate::kit::{Build, Kit};
+use crate::libraries::{Build, Libraries};
 use crate::process::{Limits, Process};
 use crate::token::Token;
 
@@ -29,7 +29,7 @@ pub struct Judge {
     pub limits: Limits,
     /// A folder for what is made on the way; each judgement uses a folder of its own in it, and removes it.
     pub scratch: PathBuf,
-    /// Where the kit is remembered, and how it is built again after an update of Rust; `None` if it is not.
+    /// Where the libraries is remembered, and how it is built again after an update of Rust; `None` if it is not.
     pub memory: Option<(PathBuf, Build)>,
     /// Confines rustc and workers; `None` for one's own files.
     pub sandbox: Option<Launcher>,
@@ -37,9 +37,9 @@ pub struct Judge {
 
 impl Judge {
     /// One who does all its work in `folder`, with the usual limits and without a sandbox.
-    pub fn in_folder(kit: Kit, folder: &Path) -> Self {
+    pub fn in_folder(libraries: Libraries, folder: &Path) -> Self {
         Self {
-            compiler: Compiler { kit, root: folder.to_owned(), colour: false },
+            compiler: Compiler { libraries, root: folder.to_owned(), colour: false },
             limits: Limits::default(),
             scratch: folder.join("scratch"),
             memory: None,
@@ -54,7 +54,7 @@ impl Judge {
         if let Some(outcome) = unreadable(file) {
             return Judgement { outcome, ..blank };
         }
-        match self.worker(&[Part { exercise, file }]) {
+        match self.worker(&[SourceFile { exercise, file }]) {
             Ok(worker) => self.examine(exercise, &worker, 0, seed),
             Err(error) => Judgement { outcome: error.outcome(), ..blank },
         }
@@ -77,10 +77,10 @@ impl Judge {
     /// Judges many files, on all processors. They are compiled together, which takes little longer than one. If that fails, those that rustc names
     /// are compiled on their own, so that one that does not compile costs no other; and where it names none, all are.
     pub fn judge_all(&self, files: &[(&Exercise, &Path)], seed: u64) -> Vec<Judgement> {
-        let readable: Vec<Part<'_>> = files
+        let readable: Vec<SourceFile<'_>> = files
             .iter()
             .filter(|(_, file)| unreadable(file).is_none())
-            .map(|(exercise, file)| Part { exercise, file })
+            .map(|(exercise, file)| SourceFile { exercise, file })
             .collect();
         let together = if readable.len() > 1 { self.worker_of_most(&readable).ok().flatten() } else { None };
         let judge = |(exercise, file): &(&Exercise, &Path)| {
@@ -104,11 +104,11 @@ impl Judge {
     /// [`NotCompiled`]: that is no file's doing, or rustc does not say whose.
     pub(crate) fn worker_of_most(
         &self,
-        parts: &[Part<'_>],
+        parts: &[SourceFile<'_>],
     ) -> Result<Option<(Worker, Vec<usize>)>, NotCompiled> {
         let mut left: Vec<usize> = (0..parts.len()).collect();
         while !left.is_empty() {
-            let some: Vec<Part<'_>> = left.iter().map(|at| parts[*at]).collect();
+            let some: Vec<SourceFile<'_>> = left.iter().map(|at| parts[*at]).collect();
             match self.worker(&some) {
                 Ok(worker) => return Ok(Some((worker, left))),
                 Err(NotCompiled::Refused { blamed, .. }) if !blamed.is_empty() => {
@@ -122,7 +122,7 @@ impl Judge {
     }
 
     /// Compiles files into one worker.
-    pub(crate) fn worker(&self, parts: &[Part<'_>]) -> Result<Worker, NotCompiled> {
+    pub(crate) fn worker(&self, parts: &[SourceFile<'_>]) -> Result<Worker, NotCompiled> {
         let folder = fs::create_dir_all(&self.scratch)
             .and_then(|()| tempfile::Builder::new().prefix("worker-").tempdir_in(&self.scratch))
             .map_err(|e| {
@@ -134,7 +134,12 @@ impl Judge {
     }
 
     /// A failure that points into no file is the files' doing if a worker without any of them can be made.
-    fn explained(&self, error: NotCompiled, parts: &[Part<'_>], folder: &tempfile::TempDir) -> NotCompiled {
+    fn explained(
+        &self,
+        error: NotCompiled,
+        parts: &[SourceFile<'_>],
+        folder: &tempfile::TempDir,
+    ) -> NotCompiled {
         match error {
             NotCompiled::Unexplained(words) if !parts.is_empty() && self.rehearse().is_ok() => {
                 let words = words.replace(&*folder.path().to_string_lossy(), "…");
@@ -144,14 +149,19 @@ impl Judge {
         }
     }
 
-    fn compile(&self, parts: &[Part<'_>], folder: &Path) -> Result<PathBuf, NotCompiled> {
+    fn compile(&self, parts: &[SourceFile<'_>], folder: &Path) -> Result<PathBuf, NotCompiled> {
         let first = self.limits.compiling;
         match (self.compiler.worker(parts, folder, first, self.sandbox.as_ref()), &self.memory) {
             (Err(NotCompiled::OldKit), Some((memory, build))) => {
-                Kit::forget(memory);
-                let kit = Kit::remembered(&self.compiler.root, *build, memory)
+                Libraries::forget(memory);
+                let libraries = Libraries::remembered(&self.compiler.root, *build, memory)
                     .map_err(|e| NotCompiled::Failed(e.to_string()))?;
-                Compiler { kit, ..self.compiler.clone() }.worker(parts, folder, first, self.sandbox.as_ref())
+                Compiler { libraries, ..self.compiler.clone() }.worker(
+                    parts,
+                    folder,
+                    first,
+                    self.sandbox.as_ref(),
+                )
             }
             (result, _) => result,
         }
@@ -202,13 +212,13 @@ fn weigh(
     let mut fresh = process();
     let gains = examination.points() > 0 && !matches!(outcome, Outcome::Exited(_) | Outcome::Crashed(_));
     // Nothing is to be gained by answering twice where nothing is gained.
-    if gains && let Some(twice) = doubt::unsteady(&examination, &mut fresh)? {
+    if gains && let Some(twice) = consistency::unsteady(&examination, &mut fresh)? {
         outcome = Outcome::Unsteady(Box::new(twice));
     }
     let forfeit = match &outcome {
         Outcome::Unsteady(_) => Some(Forfeit::Unsteady),
         Outcome::Exited(_) | Outcome::Crashed(_) => Some(Forfeit::Ended),
-        _ if gains && doubt::is_constant(exercise, blank.token.seed, &examination)? => {
+        _ if gains && consistency::is_constant(exercise, blank.token.seed, &examination)? => {
             Some(Forfeit::Constant)
         }
         _ => None,

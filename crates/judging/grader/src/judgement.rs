@@ -5,8 +5,8 @@ use course::{Exercise, Late, Picture, Reply, Value};
 use serde_json::{Value as Json, json};
 use worker::wire::Panic;
 
-use crate::doubt::Twice;
-use crate::printed::{Output, Printed};
+use crate::captured_output::{CapturedOutput, Output};
+use crate::consistency::InconsistentCall;
 use crate::token::Token;
 
 /// The judgement of one file.
@@ -35,7 +35,7 @@ pub struct Judgement {
     /// The counterexample, drawn.
     pub picture: Option<Picture>,
     /// What the student's code printed.
-    pub printed: Printed,
+    pub printed: CapturedOutput,
 }
 
 /// The whole in a word. Whatever can become of a file has its own.
@@ -46,7 +46,7 @@ pub enum Outcome {
     /// A law does not hold.
     Wrong,
     /// The same call was answered in two ways.
-    Unsteady(Box<Twice>),
+    Unsteady(Box<InconsistentCall>),
     /// It panicked.
     Panicked(Panic),
     /// A call, or all of them together, took longer than they may.
@@ -253,7 +253,7 @@ impl Judgement {
             laws: Vec::new(),
             looks_like: None,
             picture: None,
-            printed: Printed::default(),
+            printed: CapturedOutput::default(),
         }
     }
 

@@ -10,8 +10,8 @@ use sandbox::Launcher;
 use worker::wire::{self, Answer, Answered, Panic};
 use worker::{TOO_MANY_THREADS, system};
 
+use crate::captured_output::{CapturedOutput, Stream};
 use crate::meter::millis;
-use crate::printed::{Printed, Stream};
 use crate::running::{KILLED, NotBegun, Running, Timed, last_resort};
 
 /// A panic's message is kept up to so many characters.
@@ -108,10 +108,10 @@ impl Process {
     }
 
     /// Ends the worker; gives what it printed, and whether it sent more than it was asked for.
-    pub(crate) fn finish(mut self) -> (Printed, bool) {
+    pub(crate) fn finish(mut self) -> (CapturedOutput, bool) {
         let surplus = self.running.take().is_some_and(|mut running| running.finish());
         let [out, err] = &self.printed;
-        (Printed { out: out.output(), err: err.output() }, surplus)
+        (CapturedOutput { out: out.output(), err: err.output() }, surplus)
     }
 
     /// Questions as bytes.

@@ -8,12 +8,12 @@ use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use course::{Fault, Late, Loss};
-use sandbox::{Calls, Confinement, Launcher, Takings};
+use sandbox::{Calls, Confinement, Launcher, ResourceLimits};
 use worker::system::{self, Channel, Offer};
 use worker::wire::{self, Ready};
 
+use crate::captured_output::Stream;
 use crate::meter::{LOOK, Meter, Seen};
-use crate::printed::Stream;
 use crate::process::Limits;
 
 /// Time for a worker to begin, counted in looks: a grader that is stopped does not look. None of the student's code should run until then.
@@ -286,11 +286,12 @@ fn command(worker: &Path, address: &str, limits: &Limits, launcher: Option<&Laun
         command.arg(address).arg(limits.memory.to_string());
         return command;
     };
-    let takings = Takings { memory: limits.memory, cpu: last_resort(limits), ..Takings::default() };
+    let limits =
+        ResourceLimits { memory: limits.memory, cpu: last_resort(limits), ..ResourceLimits::default() };
     let mut executable = sandbox::loaders();
     executable.push(worker.to_owned());
     let readable = sandbox::libraries();
-    let confinement = Confinement { readable, executable, ..Confinement::new(Calls::Computing, takings) };
+    let confinement = Confinement { readable, executable, ..Confinement::new(Calls::Computing, limits) };
     let mut command = launcher.command(&confinement, worker);
     // It has its limit of memory already.
     command.arg(address).arg("0");

@@ -8,12 +8,12 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
-use sandbox::{Calls, Confinement, Launcher, NOT_LAUNCHED, Takings};
+use sandbox::{Calls, Confinement, Launcher, NOT_LAUNCHED, ResourceLimits};
 use serde_json::Value as Json;
 use worker::system;
 
 use crate::activity::activity;
-use crate::kit::Kit;
+use crate::libraries::Libraries;
 use crate::running::KILLED;
 
 /// Processor time for each further file that is compiled with the first.
@@ -76,15 +76,20 @@ pub(crate) struct Said {
 }
 
 /// A command for rustc: confined to `folder`, and without the caller's environment, if there is a launcher.
-pub(crate) fn command(kit: &Kit, folder: &Path, time: Duration, launcher: Option<&Launcher>) -> Command {
+pub(crate) fn command(
+    libraries: &Libraries,
+    folder: &Path,
+    time: Duration,
+    launcher: Option<&Launcher>,
+) -> Command {
     let mut command = match launcher {
         Some(launcher) => {
-            let mut command = launcher.command(&confinement(kit, folder, time), &kit.rustc);
+            let mut command = launcher.command(&confinement(libraries, folder, time), &libraries.rustc);
             // What it is told a file can find out; so neither of the two says where anything of the caller's lies.
             command.env_clear().env("TMPDIR", ".").envs(path_of_the_system().map(|path| ("PATH", path)));
             command
         }
-        None => Command::new(&kit.rustc),
+        None => Command::new(&libraries.rustc),
     };
     command.current_dir(folder);
     command
@@ -102,17 +107,18 @@ fn path_of_the_system() -> Option<OsString> {
 }
 
 /// Rustc reads the toolchain and the libraries, starts a linker, and writes where it is told to.
-fn confinement(kit: &Kit, folder: &Path, time: Duration) -> Confinement {
-    let takings = Takings { memory: MEMORY, cpu: time, file: FILE, open: 1024, ..Takings::default() };
+fn confinement(libraries: &Libraries, folder: &Path, time: Duration) -> Confinement {
+    let limits =
+        ResourceLimits { memory: MEMORY, cpu: time, file: FILE, open: 1024, ..ResourceLimits::default() };
     let mut executable = sandbox::programs();
-    executable.push(kit.sysroot.clone());
-    executable.push(kit.rustc.clone());
+    executable.push(libraries.sysroot.clone());
+    executable.push(libraries.rustc.clone());
     Confinement {
-        readable: kit.files.clone(),
-        listable: kit.dependencies.iter().cloned().collect(),
+        readable: libraries.files.clone(),
+        listable: libraries.dependencies.iter().cloned().collect(),
         executable,
         writable: vec![folder.to_owned(), PathBuf::from("/dev/null")],
-        ..Confinement::new(Calls::Building, takings)
+        ..Confinement::new(Calls::Building, limits)
     }
 }
 

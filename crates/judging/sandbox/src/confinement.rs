@@ -18,7 +18,7 @@ pub struct Confinement {
     /// Files that it may write, and folders in which it may do anything but make devices.
     pub writable: Vec<PathBuf>,
     /// How much it may take.
-    pub takings: Takings,
+    pub limits: ResourceLimits,
 }
 
 /// Which system calls a program may make.
@@ -34,9 +34,9 @@ pub enum Calls {
     Any,
 }
 
-/// How much a program may take. What it starts is bound by the same numbers, each process for itself.
+/// Resource limits of a program. Each process that it starts has the same limits for itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Takings {
+pub struct ResourceLimits {
     /// Address space, in bytes.
     pub memory: u64,
     /// Computing time of all its threads, in whole seconds; a begun one counts.
@@ -49,7 +49,7 @@ pub struct Takings {
     pub processes: u64,
 }
 
-impl Default for Takings {
+impl Default for ResourceLimits {
     /// A GiB, ten seconds, no file, sixty-four descriptors, four thousand processes: for a program that computes.
     fn default() -> Self {
         Self { memory: 1 << 30, cpu: Duration::from_secs(10), file: 0, open: 64, processes: 4096 }
@@ -57,11 +57,11 @@ impl Default for Takings {
 }
 
 impl Confinement {
-    /// One that grants no file at all, and no more than `takings`.
-    pub fn new(calls: Calls, takings: Takings) -> Self {
+    /// One that grants no file at all, and no more than `limits`.
+    pub fn new(calls: Calls, limits: ResourceLimits) -> Self {
         Self {
             calls,
-            takings,
+            limits,
             readable: Vec::new(),
             listable: Vec::new(),
             executable: Vec::new(),
@@ -71,7 +71,7 @@ impl Confinement {
 
     /// As arguments of a command line, which [`Self::from_arguments`] reads back.
     pub(crate) fn arguments(&self) -> Vec<OsString> {
-        let Takings { memory, cpu, file, open, processes } = self.takings;
+        let ResourceLimits { memory, cpu, file, open, processes } = self.limits;
         let cpu = cpu.as_secs() + u64::from(cpu.subsec_nanos() > 0);
         let mut arguments: Vec<OsString> = vec![self.calls.word().into()];
         arguments.extend([memory, cpu, file, open, processes].map(|number| number.to_string().into()));
@@ -90,8 +90,8 @@ impl Confinement {
         let calls = Calls::of_word(&arguments.next()?)?;
         let mut number = || arguments.next()?.to_str()?.parse::<u64>().ok();
         let (memory, cpu) = (number()?, Duration::from_secs(number()?));
-        let takings = Takings { memory, cpu, file: number()?, open: number()?, processes: number()? };
-        let mut confinement = Self::new(calls, takings);
+        let limits = ResourceLimits { memory, cpu, file: number()?, open: number()?, processes: number()? };
+        let mut confinement = Self::new(calls, limits);
         loop {
             let mark = arguments.next()?;
             let list = match MARKS.iter().position(|known| mark == OsStr::new(known)) {
@@ -179,13 +179,14 @@ mod tests {
 
     #[test]
     fn a_confinement_survives_the_command_line() {
-        let takings = Takings { memory: 7, cpu: Duration::from_secs(3), file: 5, open: 11, processes: 13 };
+        let limits =
+            ResourceLimits { memory: 7, cpu: Duration::from_secs(3), file: 5, open: 11, processes: 13 };
         let confinement = Confinement {
             readable: vec!["/a b".into(), "--".into()],
             listable: vec!["list".into()],
             executable: vec!["/x".into()],
             writable: vec!["run".into(), "/dev/null".into()],
-            ..Confinement::new(Calls::Building, takings)
+            ..Confinement::new(Calls::Building, limits)
         };
         let mut line = confinement.arguments().into_iter().chain(["program".into()]);
         assert_eq!(Confinement::from_arguments(&mut line), Some(confinement));
@@ -194,16 +195,18 @@ mod tests {
 
     #[test]
     fn a_begun_second_counts() {
-        let takings = Takings { cpu: Duration::from_millis(1500), ..Takings::default() };
-        let arguments = Confinement::new(Calls::Any, takings).arguments();
+        let limits = ResourceLimits { cpu: Duration::from_millis(1500), ..ResourceLimits::default() };
+        let arguments = Confinement::new(Calls::Any, limits).arguments();
         let read = Confinement::from_arguments(&mut arguments.into_iter()).expect("a confinement");
-        assert_eq!(read.takings.cpu, Duration::from_secs(2));
+        assert_eq!(read.limits.cpu, Duration::from_secs(2));
     }
 
     #[test]
     fn half_a_confinement_is_none() {
-        let whole =
-            Confinement { readable: vec!["/a".into()], ..Confinement::new(Calls::Any, Takings::default()) };
+        let whole = Confinement {
+            readable: vec!["/a".into()],
+            ..Confinement::new(Calls::Any, ResourceLimits::default())
+        };
         let arguments = whole.arguments();
         for end in 0..arguments.len() {
             assert_eq!(Confinement::from_arguments(&mut arguments[..end].iter().cloned()), None, "{end}");

@@ -22,7 +22,7 @@ mod here;
 mod launcher;
 
 pub use checkup::{Check, Finding, doctor, missing};
-pub use confinement::{Calls, Confinement, Takings, libraries, loaders, programs};
+pub use confinement::{Calls, Confinement, ResourceLimits, libraries, loaders, programs};
 pub use here::{end, finish};
 pub use launcher::{Launcher, NOT_LAUNCHED, launched};
 

@@ -67,12 +67,12 @@ pub struct Panic {
 /// # Errors
 /// What writing gives; `InvalidInput` for a question over [`LONGEST`].
 pub fn ask(to: &mut impl Write, function: u32, arguments: &[Value]) -> io::Result<()> {
-    send(to, &Asked { function, arguments })
+    send(to, &BorrowedQuestion { function, arguments })
 }
 
 /// A [`Question`] whose arguments stay where they are; the same bytes.
 #[derive(Serialize)]
-struct Asked<'a> {
+struct BorrowedQuestion<'a> {
     function: u32,
     arguments: &'a [Value],
 }

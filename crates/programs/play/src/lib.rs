@@ -6,23 +6,23 @@
 //! - [`Server`]: listens on the loopback address, and answers the page and nobody else.
 //! - [`Look`], [`Stage`]: what the three loops look at.
 //! - [`mod@story`]: how a pixel got its colour; [`mod@steps`]: what happens one step after the other.
-//! - [`Mine`]: figures by the student's functions.
+//! - [`StudentPictures`]: figures by the student's functions.
 
 #![forbid(unsafe_code)]
 
 mod api;
 mod look;
-mod mine;
 mod refusal;
 mod serve;
 pub mod steps;
 pub mod story;
+mod student;
 
 pub use api::{Latency, Measured};
 pub use look::{Look, Stage};
-pub use mine::Mine;
 pub use refusal::Refusal;
 pub use serve::{FIRST_PORT, Server, StartError};
+pub use student::StudentPictures;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

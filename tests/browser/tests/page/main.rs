@@ -8,6 +8,6 @@ mod figures;
 mod keyboard;
 mod looks;
 mod loops;
-mod mine;
 mod stage;
+mod student;
 mod visit;

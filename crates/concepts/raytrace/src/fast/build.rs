@@ -29,7 +29,7 @@ impl Tree {
         if items.is_empty() {
             return Self::default();
         }
-        let size = Part::new(&mut items).bounds.size().max_element();
+        let size = ItemRange::new(&mut items).bounds.size().max_element();
         let scale = if size > 0.0 && size.is_finite() { size.recip() } else { 1.0 };
         let mut tree = Self::default();
         Builder { scale }.node(&mut items, &mut tree);
@@ -91,9 +91,9 @@ impl Builder {
     }
 
     /// Splits `items` into at most [`WIDTH`] parts: always the largest box that is not a leaf's.
-    fn parts(self, items: &mut [Item]) -> Vec<Part<'_>> {
+    fn parts(self, items: &mut [Item]) -> Vec<ItemRange<'_>> {
         let mut parts = Vec::with_capacity(WIDTH);
-        parts.push(Part::new(items));
+        parts.push(ItemRange::new(items));
         while parts.len() < WIDTH {
             let area = |k: &usize| self.area(&parts[*k].bounds);
             let splittable = (0..parts.len()).filter(|k| parts[*k].items.len() > LEAF);
@@ -105,18 +105,18 @@ impl Builder {
     }
 
     /// Splits a part in two where that promises the least work.
-    fn halves(self, part: Part<'_>) -> [Part<'_>; 2] {
-        let Part { items, centers, .. } = part;
+    fn halves(self, part: ItemRange<'_>) -> [ItemRange<'_>; 2] {
+        let ItemRange { items, centers, .. } = part;
         let binning = Binning::new(&centers, items.len());
         let Some(split) = self.best_split(items, &binning) else {
             let (left, right) = items.split_at_mut(items.len() / 2);
-            return [Part::new(left), Part::new(right)];
+            return [ItemRange::new(left), ItemRange::new(right)];
         };
         let (middle, centers) = partition(items, |item| binning.bin(item)[split.axis] < split.bin);
         let (left, right) = items.split_at_mut(middle);
         [
-            Part { bounds: split.left, centers: centers[0], items: left },
-            Part { bounds: split.right, centers: centers[1], items: right },
+            ItemRange { bounds: split.left, centers: centers[0], items: left },
+            ItemRange { bounds: split.right, centers: centers[1], items: right },
         ]
     }
 
@@ -165,14 +165,14 @@ impl Builder {
     }
 }
 
-struct Part<'a> {
+struct ItemRange<'a> {
     /// Around the items, and around their centres.
     bounds: Bounds,
     centers: Bounds,
     items: &'a mut [Item],
 }
 
-impl<'a> Part<'a> {
+impl<'a> ItemRange<'a> {
     fn new(items: &'a mut [Item]) -> Self {
         let (mut bounds, mut centers) = (Bounds::EMPTY, Bounds::EMPTY);
         for item in items.iter() {

@@ -44,7 +44,7 @@ use fearless_simd::{Simd, dispatch};
 use geometry::Ray;
 
 use crate::object::{Object, Shape};
-use crate::query::{Met, Nearest};
+use crate::query::{HitRecord, Nearest};
 use crate::space::SpaceRay;
 use crate::world::World;
 use bundle::Bundle;
@@ -67,7 +67,7 @@ pub(crate) use tiles::render;
 /// # Ok::<(), raytrace::ObjectError>(())
 /// ```
 #[must_use]
-pub fn nearest(world: &World, ray: &Ray, t0: f32, t1: f32) -> Option<Met> {
+pub fn nearest(world: &World, ray: &Ray, t0: f32, t1: f32) -> Option<HitRecord> {
     let ray = SpaceRay::new(ray)?;
     dispatch!(world.level(), simd => nearest_of_one(simd, world, &ray, t0, t1))
 }
@@ -79,7 +79,7 @@ pub fn nearest(world: &World, ray: &Ray, t0: f32, t1: f32) -> Option<Met> {
 ///
 /// # Panics
 /// Unless there are as many places for answers as rays.
-pub fn nearest_each(world: &World, rays: &[Ray], t0: f32, t1: f32, met: &mut [Option<Met>]) {
+pub fn nearest_each(world: &World, rays: &[Ray], t0: f32, t1: f32, met: &mut [Option<HitRecord>]) {
     assert_eq!(rays.len(), met.len(), "an answer for each ray");
     dispatch!(world.level(), simd => {
         for (rays, met) in rays.chunks(LANES).zip(met.chunks_mut(LANES)) {
@@ -111,7 +111,7 @@ pub fn any_hit_each(world: &World, rays: &[Ray], t0: f32, t1: &[f32], met: &mut 
 }
 
 #[inline(always)]
-fn nearest_of_one<S: Simd>(simd: S, world: &World, ray: &SpaceRay, t0: f32, t1: f32) -> Option<Met> {
+fn nearest_of_one<S: Simd>(simd: S, world: &World, ray: &SpaceRay, t0: f32, t1: f32) -> Option<HitRecord> {
     let mut nearest = Nearest::new(t0, t1);
     if world.tree().is_one_leaf() {
         for k in 0..world.objects().len() {

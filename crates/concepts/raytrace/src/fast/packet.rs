@@ -11,7 +11,7 @@ use glam::Vec3;
 use super::bundle::Bundle;
 use super::lanes::Lanes;
 use crate::object::{Object, Shape};
-use crate::query::{Met, Nearest};
+use crate::query::{HitRecord, Nearest};
 use crate::space::SpaceRay;
 use crate::world::World;
 
@@ -25,7 +25,7 @@ pub(crate) fn nearest<S: Simd>(
     world: &World,
     rays: &[Ray],
     (t0, t1): (f32, f32),
-    met: &mut [Option<Met>],
+    met: &mut [Option<HitRecord>],
 ) {
     if let Ok(eight) = <&[Ray; LANES]>::try_from(rays)
         && let Some(found) = nearest_of_eight(simd, world, eight, (t0, t1))

@@ -6,7 +6,7 @@ use geometry::{Mesh, Plane, Ray, Sphere, Triangle, shapes};
 use glam::{Mat4, Vec3, vec3};
 use proptest::prelude::*;
 use raytrace::fast::{any_hit_each, nearest_each};
-use raytrace::{Met, Object, Shape, Surface, TracedMesh, World, any_hit_brute, nearest_brute};
+use raytrace::{HitRecord, Object, Shape, Surface, TracedMesh, World, any_hit_brute, nearest_brute};
 use testkit::{Law, Outcome, ensure, strategy};
 
 fn traced(mesh: Mesh) -> Shape {
@@ -48,9 +48,14 @@ fn fan(triangle: &Triangle, from: Vec3, step: Vec3, count: usize) -> Vec<Ray> {
     (0..count).map(|k| Ray::through(from, target(k) + (k / 3) as f32 * step)).collect()
 }
 
-fn met(world: &World, ray: &Ray, t0: f32, t1: f32) -> Option<Met> {
+fn met(world: &World, ray: &Ray, t0: f32, t1: f32) -> Option<HitRecord> {
     let hit = nearest_brute(world, ray, t0, t1)?;
-    Some(Met { t: hit.t, object: hit.object as u32, triangle: hit.triangle as u32, weights: hit.weights })
+    Some(HitRecord {
+        t: hit.t,
+        object: hit.object as u32,
+        triangle: hit.triangle as u32,
+        weights: hit.weights,
+    })
 }
 
 /// Both questions, all rays at once, against the slide's loop for each.
@@ -61,7 +66,7 @@ fn same_answers(world: &World, rays: &[Ray], t0: f32, t1: f32) -> Outcome {
     let ends: Vec<f32> = nearest
         .iter()
         .enumerate()
-        .map(|(k, met)| met.map_or(t1, |met: Met| if k % 2 == 0 { met.t } else { met.t + met.t.abs() }))
+        .map(|(k, met)| met.map_or(t1, |met: HitRecord| if k % 2 == 0 { met.t } else { met.t + met.t.abs() }))
         .collect();
     let mut any = vec![false; rays.len()];
     any_hit_each(world, rays, t0, &ends, &mut any);

@@ -24,7 +24,7 @@ mod rows;
 use canvas::{Image, Rgb};
 use rayon::prelude::*;
 use transforms::Pipeline;
-use zbuffer::fast::{BAND_ROWS, Band, Part, Projected};
+use zbuffer::fast::{BAND_ROWS, Band, MeshInstance, Projected};
 
 pub use zbuffer::fast::Faces;
 
@@ -94,10 +94,10 @@ impl Renderer {
         if image.pixels().is_empty() {
             return;
         }
-        let parts: Vec<Part> = world
+        let parts: Vec<MeshInstance> = world
             .objects
             .iter()
-            .map(|object| Part { mesh: object.mesh, world_from_object: object.world_from_object })
+            .map(|object| MeshInstance { mesh: object.mesh, world_from_object: object.world_from_object })
             .collect();
         self.projected.project(&parts, pipeline, faces);
         let lighting = world.lighting(pipeline);

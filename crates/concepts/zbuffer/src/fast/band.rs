@@ -9,7 +9,7 @@ use crate::fast::bins::{BAND_ROWS, Piece};
 use crate::fast::blocks::TILE;
 use crate::fast::edges::Edges;
 use crate::fast::eight::Corners;
-use crate::fast::projected::{NONE, Number, Part, Projected};
+use crate::fast::projected::{MeshInstance, NONE, Number, Projected};
 
 /// Depths and triangles of a band of rows. One for each thread is enough; it is used again for band after band.
 ///
@@ -58,7 +58,7 @@ impl Band {
     ///
     /// # Panics
     /// If there is no such band, or if `parts` are others.
-    pub fn draw(&mut self, b: u32, projected: &Projected, parts: &[Part]) {
+    pub fn draw(&mut self, b: u32, projected: &Projected, parts: &[MeshInstance]) {
         self.clear(b, projected.size);
         dispatch!(Level::new(), simd => self.draw_large(simd, b, projected, parts));
         dispatch!(Level::new(), simd => self.draw_small(simd, b, projected, parts));
@@ -142,7 +142,7 @@ impl Band {
 
     /// Large triangles, the nearest first: most of what lies behind them is then never asked pixel by pixel.
     #[inline(always)]
-    fn draw_large<S: Simd>(&mut self, simd: S, b: u32, projected: &Projected, parts: &[Part]) {
+    fn draw_large<S: Simd>(&mut self, simd: S, b: u32, projected: &Projected, parts: &[MeshInstance]) {
         let mut large = std::mem::take(&mut self.large);
         large.clear();
         for chunk in projected.chunks_in(b) {
@@ -168,7 +168,7 @@ impl Band {
     }
 
     #[inline(always)]
-    fn draw_small<S: Simd>(&mut self, simd: S, b: u32, projected: &Projected, parts: &[Part]) {
+    fn draw_small<S: Simd>(&mut self, simd: S, b: u32, projected: &Projected, parts: &[MeshInstance]) {
         for chunk in projected.chunks_in(b) {
             let first = projected.first_number(chunk.part);
             let triangles = parts[chunk.part].mesh.triangles();

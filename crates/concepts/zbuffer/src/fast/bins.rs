@@ -7,7 +7,7 @@ use fearless_simd::{Level, Simd, dispatch, f32x8};
 use glam::DVec4;
 
 use crate::fast::eight::{Corners, Eight, centers, is_small};
-use crate::fast::projected::{Faces, Number, Part};
+use crate::fast::projected::{Faces, MeshInstance, Number};
 use crate::fast::vertices::{ToScreen, Vertex};
 use crate::screen::ScreenTriangle;
 
@@ -50,7 +50,7 @@ pub(crate) struct Piece {
 #[derive(Clone, Copy)]
 pub(crate) struct Sorting<'a> {
     pub(crate) index: usize,
-    pub(crate) part: &'a Part<'a>,
+    pub(crate) part: &'a MeshInstance<'a>,
     /// The part's own vertices.
     pub(crate) vertices: &'a [Vertex],
     pub(crate) to_screen: ToScreen,

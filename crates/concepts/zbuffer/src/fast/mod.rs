@@ -63,5 +63,5 @@ mod weights;
 pub use band::{Band, Numbers};
 pub use bins::BAND_ROWS;
 pub use eight::{Corners, gather_columns, load_columns, store_columns};
-pub use projected::{Faces, NONE, Number, Part, Projected};
+pub use projected::{Faces, MeshInstance, NONE, Number, Projected};
 pub use weights::{Singly, Weights};

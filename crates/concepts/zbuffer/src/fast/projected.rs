@@ -22,7 +22,7 @@ pub enum Faces {
 
 /// A mesh at a place in the world.
 #[derive(Clone, Copy, Debug)]
-pub struct Part<'a> {
+pub struct MeshInstance<'a> {
     /// The triangles.
     pub mesh: &'a Mesh,
     /// Affine and finite. A map that mirrors keeps fronts fronts, as in [`Mesh::transformed`].
@@ -68,7 +68,7 @@ impl Projected {
     ///
     /// # Panics
     /// If the screen is too large for [`crate::project`], or if there are 2³¹ − 1 triangles or more.
-    pub fn project(&mut self, parts: &[Part], pipeline: &Pipeline, faces: Faces) {
+    pub fn project(&mut self, parts: &[MeshInstance], pipeline: &Pipeline, faces: Faces) {
         self.size = (pipeline.width(), pipeline.height());
         self.place(parts);
         let viewport = Viewport::new(self.size.0, self.size.1);
@@ -93,7 +93,7 @@ impl Projected {
     }
 
     /// Counts vertices and triangles.
-    fn place(&mut self, parts: &[Part]) {
+    fn place(&mut self, parts: &[MeshInstance]) {
         self.firsts.clear();
         let (mut vertices, mut triangles, mut chunks) = (0, 0_u64, 0);
         for part in parts {
@@ -107,7 +107,7 @@ impl Projected {
         self.rests.resize(vertices, [0.0; 4]);
     }
 
-    fn sort(&mut self, parts: &[Part], ways: &[ToScreen], faces: Faces) {
+    fn sort(&mut self, parts: &[MeshInstance], ways: &[ToScreen], faces: Faces) {
         let mut tasks = Vec::new();
         for (index, part) in parts.iter().enumerate() {
             let First { vertex, number, .. } = self.firsts[index];

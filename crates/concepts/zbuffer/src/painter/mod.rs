@@ -18,7 +18,7 @@ mod example;
 mod facet;
 mod graph;
 mod order;
-mod part;
+mod outlined_piece;
 mod piece;
 mod plan;
 mod relation;

@@ -7,7 +7,7 @@ use super::cycle::OcclusionCycle;
 use super::facet::Facet;
 use super::graph::Graph;
 use super::order::order_within;
-use super::part::{Part, Position};
+use super::outlined_piece::{OutlinedPiece, Position};
 use super::piece::Piece;
 use crate::screen::ScreenTriangle;
 
@@ -64,7 +64,7 @@ fn plan_with_cuts(triangles: &[ScreenTriangle], first_cycle: OcclusionCycle, bud
     let mut parts = Vec::new();
     for (k, triangle) in triangles.iter().enumerate() {
         match Facet::new(triangle) {
-            Some(facet) => parts.push(Part::whole(k, Arc::new(facet))),
+            Some(facet) => parts.push(OutlinedPiece::whole(k, Arc::new(facet))),
             // Without area it hides nothing and draws nothing.
             None => untangling.pieces.push(Piece::whole(k)),
         }
@@ -76,7 +76,7 @@ fn plan_with_cuts(triangles: &[ScreenTriangle], first_cycle: OcclusionCycle, bud
 }
 
 /// What stands in the way of an order: pairs that pass through each other, and a cycle for each group of others.
-fn cycles(parts: &[Part], graph: &Graph) -> Vec<OcclusionCycle> {
+fn cycles(parts: &[OutlinedPiece], graph: &Graph) -> Vec<OcclusionCycle> {
     let pairs = graph.piercing_pairs().into_iter().map(|(a, b)| OcclusionCycle { polygons: vec![a, b] });
     let rest = graph.without_piercing_pairs();
     let groups: Vec<_> = rest.components().into_iter().filter(|group| group.len() > 1).collect();
@@ -101,19 +101,19 @@ fn cycles(parts: &[Part], graph: &Graph) -> Vec<OcclusionCycle> {
 const PRICE_OF_PARTS: usize = 4;
 
 /// Who hides whom; `None` if it is too large to keep, or if the budget does not reach.
-fn graph_of(parts: &[Part], budget: &Budget) -> Option<Graph> {
-    let bounds: Vec<_> = parts.iter().map(Part::bounds).collect();
+fn graph_of(parts: &[OutlinedPiece], budget: &Budget) -> Option<Graph> {
+    let bounds: Vec<_> = parts.iter().map(OutlinedPiece::bounds).collect();
     Graph::new(&bounds, |a, b| budget.pay(PRICE_OF_PARTS).then(|| parts[a].relation(&parts[b])))
 }
 
 /// What remains to be done, the next at the end.
 enum Task {
     /// Draw these in a right order. At most one of them is a part of each triangle.
-    Untangle(Vec<Part>),
+    Untangle(Vec<OutlinedPiece>),
     /// Draw these, which form cycles.
-    Divide(Vec<Part>),
+    Divide(Vec<OutlinedPiece>),
     /// Draw this.
-    Draw(Part),
+    Draw(OutlinedPiece),
 }
 
 /// The pieces so far.
@@ -147,7 +147,7 @@ impl Untangling<'_> {
 
     /// What lies behind the plane of one of the parts, this part, and what lies before it; in reverse, as the last is
     /// done first. Nothing behind a plane hides anything before it.
-    fn divided(&mut self, mut parts: Vec<Part>) -> [Task; 3] {
+    fn divided(&mut self, mut parts: Vec<OutlinedPiece>) -> [Task; 3] {
         // Each part is held against every candidate and then against the root.
         self.budget.pay((CANDIDATES + 1) * parts.len());
         let root = parts.remove(best_root(&parts));
@@ -170,7 +170,7 @@ impl Untangling<'_> {
 
 /// Single parts and groups that form cycles, from front to back, as the last is done first.
 /// Without a graph, all parts count as one group.
-fn untangled(parts: Vec<Part>, graph: Option<Graph>) -> Vec<Task> {
+fn untangled(parts: Vec<OutlinedPiece>, graph: Option<Graph>) -> Vec<Task> {
     let Some(graph) = graph else {
         return vec![Task::Divide(parts)];
     };
@@ -188,7 +188,7 @@ fn untangled(parts: Vec<Part>, graph: Option<Graph>) -> Vec<Task> {
 const CANDIDATES: usize = 8;
 
 /// The part whose plane cuts the fewest others, among the largest triangles: the slope of a large one is known best.
-fn best_root(parts: &[Part]) -> usize {
+fn best_root(parts: &[OutlinedPiece]) -> usize {
     let mut candidates: Vec<usize> = (0..parts.len()).collect();
     candidates.sort_by_key(|k| std::cmp::Reverse(parts[*k].area_of_triangle()));
     candidates.truncate(CANDIDATES);
@@ -237,7 +237,7 @@ mod tests {
             let budget = Budget::new(comparisons);
             let facet = |triangle| Arc::new(Facet::new(triangle).unwrap());
             let cycle = three_polygon_cycle();
-            let parts = cycle.iter().enumerate().map(|(k, it)| Part::whole(k, facet(it))).collect();
+            let parts = cycle.iter().enumerate().map(|(k, it)| OutlinedPiece::whole(k, facet(it))).collect();
             Untangling { pieces: Vec::new(), splits: 0, budget: &budget }.divided(parts);
             assert_eq!(budget.is_spent(), is_spent, "{comparisons}");
         }

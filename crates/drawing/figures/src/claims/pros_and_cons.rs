@@ -140,7 +140,7 @@ pub(super) static SIMPLE: Claim = Claim {
             include_str!("../../../../concepts/zbuffer/src/painter/plan.rs"),
             include_str!("../../../../concepts/zbuffer/src/painter/graph.rs"),
             include_str!("../../../../concepts/zbuffer/src/painter/piece.rs"),
-            include_str!("../../../../concepts/zbuffer/src/painter/part.rs"),
+            include_str!("../../../../concepts/zbuffer/src/painter/outlined_piece.rs"),
             include_str!("../../../../concepts/zbuffer/src/painter/clipping.rs"),
         ]
         .into_iter()

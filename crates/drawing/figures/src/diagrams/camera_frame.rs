@@ -1,7 +1,7 @@
 //! Which way do the camera's own axes point? (L6, Fig 4.8)
 
 use glam::{Vec2, Vec3, vec2, vec3};
-use sheet::crowd::Vector;
+use sheet::label_layout::Vector;
 use sheet::text::triple;
 use sheet::view::View;
 use sheet::{Ink, Sheet};

@@ -5,7 +5,7 @@ use std::error::Error;
 use canvas::Rgb;
 use glam::{Vec2, Vec3, vec2};
 use lighting::{Highlight, Light, Material, SurfacePoint, lambert, lit};
-use sheet::crowd::Vector;
+use sheet::label_layout::Vector;
 use sheet::text::{decimal, degrees};
 use sheet::{Ink, Letters, Side};
 

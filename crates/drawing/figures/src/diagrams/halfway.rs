@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3};
 use lighting::{blinn_highlight, halfway, phong_highlight, reflect};
-use sheet::crowd::Vector;
+use sheet::label_layout::Vector;
 use sheet::text::{decimal, degrees};
 use sheet::{Ink, Sheet};
 

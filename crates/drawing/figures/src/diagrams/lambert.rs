@@ -3,7 +3,7 @@
 use canvas::Rgb;
 use glam::{Vec2, vec2};
 use lighting::lambert;
-use sheet::crowd::Vector;
+use sheet::label_layout::Vector;
 use sheet::text::{decimal, degrees};
 use sheet::{Ink, Letters, Side};
 

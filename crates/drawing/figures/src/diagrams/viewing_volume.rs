@@ -1,7 +1,7 @@
 //! Which part of space does the camera see, and where do its rays cross the view plane? (L7, Fig 7.7)
 
 use glam::{Vec2, Vec3, vec2, vec3};
-use sheet::crowd::Vector;
+use sheet::label_layout::Vector;
 use sheet::text::decimal;
 use sheet::view::View;
 use sheet::{Ink, Pen, Sheet};

@@ -32,7 +32,7 @@ pub(super) static FIGURE: Figure = Figure {
 };
 
 /// One part of the lighting equation: its name, and how much there is of ambient light, diffuse and specular reflection.
-struct Part {
+struct Component {
     name: &'static str,
     ambient: f32,
     light: f32,
@@ -41,8 +41,8 @@ struct Part {
     alt: Text,
 }
 
-const PARTS: [Part; 4] = [
-    Part {
+const PARTS: [Component; 4] = [
+    Component {
         name: "ambient",
         ambient: 0.3,
         light: 0.0,
@@ -53,7 +53,7 @@ const PARTS: [Part; 4] = [
             nl: "Een theepot in één donkerblauw, zonder vorm.",
         },
     },
-    Part {
+    Component {
         name: "diffuse",
         ambient: 0.0,
         light: 0.7,
@@ -64,7 +64,7 @@ const PARTS: [Part; 4] = [
             nl: "Een blauwe theepot, helder naar het licht toe en zwart ervan af.",
         },
     },
-    Part {
+    Component {
         name: "specular",
         ambient: 0.0,
         light: 0.7,
@@ -72,7 +72,7 @@ const PARTS: [Part; 4] = [
         specular: 1.0,
         alt: Text { en: "White highlights on black.", nl: "Witte highlights op zwart." },
     },
-    Part {
+    Component {
         name: "total",
         ambient: 0.3,
         light: 0.7,
@@ -83,14 +83,14 @@ const PARTS: [Part; 4] = [
 ];
 
 fn draw(values: &Values) -> Drawn {
-    let drawing = |part: &Part| -> Result<Drawing, Fault> {
+    let drawing = |part: &Component| -> Result<Drawing, Fault> {
         Ok(Drawing::picture(part.name, part.alt, picture(part, values)?))
     };
     PARTS.iter().map(drawing).collect()
 }
 
-fn picture(part: &Part, values: &Values) -> Result<Image, Fault> {
-    let Part { ambient, light, diffuse, specular, .. } = *part;
+fn picture(part: &Component, values: &Values) -> Result<Image, Fault> {
+    let Component { ambient, light, diffuse, specular, .. } = *part;
     let [r, g, b] = [0.08, 0.22, 0.75].map(|channel: f32| diffuse * channel);
     let p = values.number("p");
     let loaded = scene(&format!(

@@ -1,7 +1,7 @@
 //! What does a renderer need? Meshes instead of names, matrices instead of lists.
 
-mod part;
 mod planes;
+mod prepared_object;
 mod smoothing;
 
 use std::sync::Arc;
@@ -14,14 +14,14 @@ use transforms::{Camera, Pipeline, ViewVolume};
 use crate::limits::MOST_TRIANGLES;
 use crate::scene::{Lens, Scene, View};
 use crate::{Loaded, RenderError};
-pub(crate) use part::{Part, fitted};
 use planes::{Planes, Sight};
+pub(crate) use prepared_object::{PreparedObject, fitted};
 
 /// A scene made ready: meshes built and shared, normals there, lights normalized. Renders any number of times.
 #[derive(Clone, Debug)]
 pub struct Prepared {
     /// Shared by all views of the scene.
-    pub(crate) parts: Arc<Vec<Part>>,
+    pub(crate) parts: Arc<Vec<PreparedObject>>,
     pub(crate) lights: Vec<Light>,
     pub(crate) background: Rgb,
     warnings: Vec<String>,
@@ -42,7 +42,7 @@ pub fn prepare(loaded: &Loaded) -> Result<Prepared, RenderError> {
     let mut budget = MOST_TRIANGLES;
     let (mut parts, mut warnings) = (Vec::new(), Vec::new());
     for (k, object) in scene.objects.iter().enumerate() {
-        let part = Part::new(object, &scene, &loaded.imports)?;
+        let part = PreparedObject::new(object, &scene, &loaded.imports)?;
         let triangles = (part.mesh.len() * part.world_from_object.len()) as u64;
         budget = budget.checked_sub(triangles).ok_or(RenderError::TooManyTriangles { object: k })?;
         part.check_place(k)?;

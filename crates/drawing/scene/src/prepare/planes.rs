@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3, Mat4, Vec3};
 use transforms::Camera;
 
-use super::Part;
+use super::PreparedObject;
 
 /// How many times as far as the near plane the far plane is fitted without need. Depth resolution is lost by this factor (L20): with
 /// 1000, a 16-bit buffer still tells apart 1.5 % of the depth at the far end.
@@ -29,7 +29,7 @@ pub(super) struct Planes {
 #[derive(Clone, Copy)]
 pub(super) struct Sight<'a> {
     pub(super) camera: &'a Camera,
-    pub(super) parts: &'a [Part],
+    pub(super) parts: &'a [PreparedObject],
     /// The greatest |x/w| and |y/w| in the window.
     pub(super) slopes: DVec2,
 }
@@ -65,7 +65,7 @@ impl Sight<'_> {
     fn extent(&self) -> (f32, f32) {
         let camera_from_world = self.camera.camera_from_world();
         let w = |p_world: Vec3| camera_from_world.transform_point3(p_world).z;
-        let corners = self.parts.iter().flat_map(Part::corners_world);
+        let corners = self.parts.iter().flat_map(PreparedObject::corners_world);
         let (farthest, nearest) = corners
             .map(w)
             .fold((f32::INFINITY, f32::NEG_INFINITY), |(far, near), w| (far.min(w), near.max(w)));
@@ -94,7 +94,7 @@ impl Sight<'_> {
     }
 
     /// The greater of `nearest` and the greatest w-coordinate of what is visible of a part.
-    fn nearest_of(&self, part: &Part, camera_from_object: Mat4, mut nearest: f64) -> f64 {
+    fn nearest_of(&self, part: &PreparedObject, camera_from_object: Mat4, mut nearest: f64) -> f64 {
         let outwards = part.outwards();
         let place = |p| camera_from_object.transform_point3(outwards * p).as_dvec3();
         let positions: Vec<DVec3> = part.mesh.positions().iter().map(|p| place(*p)).collect();

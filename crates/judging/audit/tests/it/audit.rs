@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use audit::{Audited, Report, audit};
 use course::{Example, Exercise, Misconception, Program, trial};
-use grader::{Build, Judge, Kit};
+use grader::{Build, Judge, Libraries};
 
 const SEEDS: u64 = 20;
 
@@ -13,8 +13,8 @@ fn audited(exercise: &Exercise) -> Report {
     let root: PathBuf =
         Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(3).expect("crates/judging/audit").to_owned();
     let folder = tempfile::tempdir().expect("a folder");
-    let kit = Kit::build(&root, Build::of("worker")).expect("the libraries are built");
-    let judge = Judge::in_folder(kit, folder.path());
+    let libraries = Libraries::build(&root, Build::of("worker")).expect("the libraries are built");
+    let judge = Judge::in_folder(libraries, folder.path());
     audit(&[exercise], &judge, SEEDS, &|_| ()).expect("a report")
 }
 

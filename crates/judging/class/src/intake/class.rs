@@ -9,8 +9,8 @@ use std::path::{Path, PathBuf};
 use super::candidates::{is_hidden, is_of_an_exercise, is_stray, listed, quoted};
 use super::names::{self, Kind, Named};
 use super::{Entry, Place};
+use crate::digest::Digest;
 use crate::results::{Audience, Notice};
-use crate::sum::Sum;
 
 /// An id is cut to so many characters, with the fingerprint behind it.
 const LONGEST_ID: usize = 48;
@@ -161,7 +161,7 @@ fn spelled(name: &OsStr) -> String {
     match name.to_str() {
         Some(name) => name.to_owned(),
         None => {
-            let sum = Sum::of([name.as_encoded_bytes()]).hexadecimal();
+            let sum = Digest::of([name.as_encoded_bytes()]).hexadecimal();
             format!("{} {}", name.to_string_lossy(), &sum[..6])
         }
     }
@@ -230,7 +230,7 @@ fn id(key: &str, taken: &mut BTreeSet<String>) -> String {
     if unchanged {
         return plain;
     }
-    let sum = Sum::of([key.as_bytes()]).hexadecimal();
+    let sum = Digest::of([key.as_bytes()]).hexadecimal();
     let ids = (10..=sum.len()).map(|length| format!("{plain}-{}", &sum[..length]));
     // Somebody may bear a name that looks like another's id.
     ids.into_iter().find(|id| taken.insert(id.to_ascii_lowercase())).unwrap_or(sum)

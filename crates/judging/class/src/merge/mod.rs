@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::kept::{self, Kept};
+use crate::checkpoint::{self, Checkpoint};
 use crate::partition::Partition;
 use crate::results::{Listed, Results, SCHEMA, Submission, VERSION};
 
@@ -61,9 +61,9 @@ fn complete(report: &Path, mut results: Results) -> Result<Results, MergeError> 
 }
 
 fn with_pictures(report: &Path, submission: &mut Submission) -> Result<(), MergeError> {
-    let path = kept::path(report, &submission.id);
+    let path = checkpoint::path(report, &submission.id);
     let bytes = fs::read(&path).map_err(|error| MergeError::Io { path: path.clone(), error })?;
-    let kept: Kept = serde_json::from_slice(&bytes)
+    let kept: Checkpoint = serde_json::from_slice(&bytes)
         .map_err(|error| MergeError::Torn { path: path.clone(), what: error.to_string() })?;
     if kept.was_changed() {
         return Err(MergeError::Changed { path });
@@ -77,14 +77,14 @@ fn with_pictures(report: &Path, submission: &mut Submission) -> Result<(), Merge
     Ok(())
 }
 
-/// A part, read.
-struct Part<'a> {
+/// The results of one part of a class.
+struct PartialResults<'a> {
     folder: &'a Path,
     results: Results,
     share: Partition,
 }
 
-impl<'a> Part<'a> {
+impl<'a> PartialResults<'a> {
     fn read(folder: &'a Path) -> Result<Self, MergeError> {
         let results = read(folder)?;
         let share = results.partition.as_deref().and_then(|share| share.parse().ok());
@@ -103,7 +103,8 @@ impl<'a> Part<'a> {
 /// # Errors
 /// [`MergeError`]: a part cannot be read, is missing, there twice, was changed, is of another class or was judged otherwise than the others.
 pub fn merge(folders: &[PathBuf]) -> Result<Results, MergeError> {
-    let parts: Vec<Part<'_>> = folders.iter().map(|folder| Part::read(folder)).collect::<Result<_, _>>()?;
+    let parts: Vec<PartialResults<'_>> =
+        folders.iter().map(|folder| PartialResults::read(folder)).collect::<Result<_, _>>()?;
     let Some((first, others)) = parts.split_first() else {
         return Err(MergeError::Missing { of: 1, missing: "1".to_owned() });
     };
@@ -117,7 +118,7 @@ pub fn merge(folders: &[PathBuf]) -> Result<Results, MergeError> {
     Ok(together(parts))
 }
 
-fn alike(one: &Part<'_>, other: &Part<'_>) -> Result<(), MergeError> {
+fn alike(one: &PartialResults<'_>, other: &PartialResults<'_>) -> Result<(), MergeError> {
     let (a, b) = (&one.results, &other.results);
     let differs = [
         (a.course != b.course, "the version of the course"),
@@ -134,9 +135,9 @@ fn alike(one: &Part<'_>, other: &Part<'_>) -> Result<(), MergeError> {
 }
 
 /// Whether both list the same submissions.
-fn same_class(one: &Part<'_>, other: &Part<'_>) -> Result<(), MergeError> {
+fn same_class(one: &PartialResults<'_>, other: &PartialResults<'_>) -> Result<(), MergeError> {
     let (a, b) = (by_id(&one.results.roster), by_id(&other.results.roster));
-    let only_in = |part: &Part<'_>, id: &str| format!("only {} lists {id}", part.folder.display());
+    let only_in = |part: &PartialResults<'_>, id: &str| format!("only {} lists {id}", part.folder.display());
     let what = a
         .iter()
         .find_map(|(id, fingerprint)| match b.get(id) {
@@ -157,7 +158,7 @@ fn by_id(roster: &[Listed]) -> BTreeMap<&str, &str> {
     roster.iter().map(|listed| (listed.id.as_str(), listed.fingerprint.as_str())).collect()
 }
 
-fn nobody_twice(parts: &[Part<'_>]) -> Result<(), MergeError> {
+fn nobody_twice(parts: &[PartialResults<'_>]) -> Result<(), MergeError> {
     let mut owners: BTreeMap<&str, &Path> = BTreeMap::new();
     for part in parts {
         for Submission { id, .. } in &part.results.submissions {
@@ -171,7 +172,7 @@ fn nobody_twice(parts: &[Part<'_>]) -> Result<(), MergeError> {
 }
 
 /// Parts say how many there are.
-fn all_parts(parts: &[Part<'_>]) -> Result<(), MergeError> {
+fn all_parts(parts: &[PartialResults<'_>]) -> Result<(), MergeError> {
     let of = parts[0].share.of();
     let is_there = |number: usize| parts.iter().any(|part| part.share.part() == number);
     let missing: Vec<String> =
@@ -180,8 +181,8 @@ fn all_parts(parts: &[Part<'_>]) -> Result<(), MergeError> {
 }
 
 /// Every submission of the class is in a part, as it was when the class was listed.
-fn everybody_once(parts: &[Part<'_>]) -> Result<(), MergeError> {
-    let judged: BTreeMap<&str, (&Part<'_>, &str)> = parts
+fn everybody_once(parts: &[PartialResults<'_>]) -> Result<(), MergeError> {
+    let judged: BTreeMap<&str, (&PartialResults<'_>, &str)> = parts
         .iter()
         .flat_map(|part| part.results.submissions.iter().map(move |it| (part, it)))
         .map(|(part, it)| (it.id.as_str(), (part, it.fingerprint.as_str())))
@@ -199,7 +200,7 @@ fn everybody_once(parts: &[Part<'_>]) -> Result<(), MergeError> {
 }
 
 /// The whole, from parts that fit together.
-fn together(parts: Vec<Part<'_>>) -> Results {
+fn together(parts: Vec<PartialResults<'_>>) -> Results {
     let mut parts = parts.into_iter().map(|part| part.results);
     let mut whole = parts.next().expect("at least one part");
     for part in parts {

@@ -3,7 +3,7 @@ use std::fs;
 use tempfile::TempDir;
 
 use super::*;
-use crate::kept::Conditions;
+use crate::checkpoint::Conditions;
 use crate::report_folder::files;
 use crate::results::{Course, Outcome, Picture, Seeds, Verdict};
 
@@ -20,7 +20,7 @@ impl Machines {
         let report = self.0.path().join(folder);
         let results = part(class, share.parse().unwrap());
         for submission in &results.submissions {
-            let path = kept::path(&report, &submission.id);
+            let path = checkpoint::path(&report, &submission.id);
             write(&path, &kept_of(submission).bytes().unwrap());
         }
         for (name, bytes) in files(&results, &[]).filter(|(name, _)| name.as_os_str() == RESULTS) {
@@ -87,7 +87,7 @@ fn submission(listed: &Listed, points: u32) -> Submission {
     }
 }
 
-fn kept_of(submission: &Submission) -> Kept {
+fn kept_of(submission: &Submission) -> Checkpoint {
     let conditions = Conditions {
         course: "0123456789abcdef".into(),
         fingerprint: submission.fingerprint.clone(),
@@ -95,7 +95,7 @@ fn kept_of(submission: &Submission) -> Kept {
         sandboxed: true,
         limits: String::new(),
     };
-    Kept::new(conditions, submission.verdicts.clone())
+    Checkpoint::new(conditions, submission.verdicts.clone())
 }
 
 fn write(path: &Path, bytes: &[u8]) {
@@ -194,8 +194,8 @@ fn points_changed_by_hand_are_refused_and_the_file_is_named() {
         let parts = machines.grade_all(&CLASS, 2);
         edit(&parts[1].join("judged/bob.json"), old, new);
         refused(&parts, &["part2/judged/bob.json was changed after it was written"]);
-        assert!(Kept::read(&parts[1], "bob").is_none(), "--resume takes it");
-        assert!(Kept::read(&parts[1], "dan").is_some());
+        assert!(Checkpoint::read(&parts[1], "bob").is_none(), "--resume takes it");
+        assert!(Checkpoint::read(&parts[1], "dan").is_some());
     }
     let parts = machines.grade_all(&CLASS, 2);
     let crlf = fs::read_to_string(parts[1].join(RESULTS)).unwrap().replace('\n', "\r\n");

@@ -1,7 +1,7 @@
 //! Balls in a counterexample's light, and directions as arrows.
 
 use glam::{Vec2, Vec3, vec2};
-use sheet::crowd::Vector;
+use sheet::label_layout::Vector;
 use sheet::{Ink, Sheet, Words};
 use vocabulary::SurfacePoint;
 use worker::{Plain, Value};

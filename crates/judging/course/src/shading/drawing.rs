@@ -1,7 +1,7 @@
 //! Shaded triangles, and normals that stand on them.
 
 use glam::{Vec2, Vec3, vec2};
-use sheet::crowd::Vector;
+use sheet::label_layout::Vector;
 use sheet::{Ink, Letters, Sheet, Side, Words};
 use vocabulary::{Barycentric, Triangle};
 use worker::{Plain, Value};

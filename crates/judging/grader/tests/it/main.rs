@@ -3,5 +3,5 @@
 mod bench;
 mod course;
 mod hostile;
-mod opened;
 mod outcomes;
+mod session;

@@ -11,7 +11,7 @@ use std::time::Duration;
 use tempfile::TempDir;
 
 use crate::checkup::{Check, Finding, MARK, POSSIBLE, REFUSED};
-use crate::confinement::{Calls, Confinement, Takings, libraries, loaders};
+use crate::confinement::{Calls, Confinement, ResourceLimits, libraries, loaders};
 use crate::launcher::{Launcher, NOT_LAUNCHED};
 
 const KERNEL: &str =
@@ -78,9 +78,11 @@ impl Place {
         let missing = |why: String| Finding::Missing { why, remedy: attempt.remedy };
         // All but one need next to nothing; it must not be the limit of time that ends them on a slow system.
         let cpu = Duration::from_secs(if attempt.what == "loop" { 1 } else { 10 });
-        let takings = Takings { cpu, file: 64 << 10, open: 32, ..Takings::default() };
-        let takings =
-            Takings { processes: if attempt.what == "processes" { 1 } else { takings.processes }, ..takings };
+        let limits = ResourceLimits { cpu, file: 64 << 10, open: 32, ..ResourceLimits::default() };
+        let limits = ResourceLimits {
+            processes: if attempt.what == "processes" { 1 } else { limits.processes },
+            ..limits
+        };
         let program = launcher.program();
         let mut readable = libraries();
         readable.push("/dev/null".into());
@@ -90,7 +92,7 @@ impl Place {
             readable,
             executable,
             writable: vec![self.scratch.clone()],
-            ..Confinement::new(attempt.calls, takings)
+            ..Confinement::new(attempt.calls, limits)
         };
         let mut command = launcher.command(&confinement, program);
         command.arg(MARK).arg(attempt.what).arg(&attempt.argument).stdin(Stdio::null());

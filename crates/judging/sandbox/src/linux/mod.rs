@@ -18,7 +18,7 @@ use rustix::thread::{CapabilitySet, CapabilitySets};
 pub(crate) use attempts::attempt;
 pub(crate) use checks::checks;
 
-use crate::confinement::{Calls, Confinement, Takings};
+use crate::confinement::{Calls, Confinement, ResourceLimits};
 
 /// The running program, whatever has become of its file.
 pub(crate) const THIS_PROGRAM: Option<&str> = Some("/proc/self/exe");
@@ -33,7 +33,7 @@ pub(crate) fn confine(confinement: &Confinement, starter: u32) -> Result<(), Str
     end_with(starter)?;
     // What was inherited stays behind when this process becomes the program: all but standard input, output and error.
     close_fds::CloseFdsBuilder::new().cloexecfrom(3);
-    limit(&confinement.takings).map_err(|e| format!("a limit cannot be set: {e}"))?;
+    limit(&confinement.limits).map_err(|e| format!("a limit cannot be set: {e}"))?;
     // Who starts it and watches it goes first, and so does whatever else the machine does.
     let _ = rustix::process::nice(YIELDS);
     drop_capabilities().map_err(|e| format!("capabilities cannot be dropped: {e}"))?;
@@ -76,16 +76,16 @@ fn end_with(starter: u32) -> Result<(), String> {
 }
 
 /// Sets the limits, both those that warn and those that cannot be raised again.
-fn limit(takings: &Takings) -> io::Result<()> {
-    let cpu = takings.cpu.as_secs();
+fn limit(limits: &ResourceLimits) -> io::Result<()> {
+    let cpu = limits.cpu.as_secs();
     let limits = [
         (Resource::CORE, 0, 0),
-        (Resource::AS, takings.memory, takings.memory),
+        (Resource::AS, limits.memory, limits.memory),
         // The first ends the process with a signal that says why; were both the same, it would be that of any killed process.
         (Resource::CPU, cpu, cpu + 1),
-        (Resource::FSIZE, takings.file, takings.file),
-        (Resource::NOFILE, takings.open, takings.open),
-        (Resource::NPROC, takings.processes, takings.processes),
+        (Resource::FSIZE, limits.file, limits.file),
+        (Resource::NOFILE, limits.open, limits.open),
+        (Resource::NPROC, limits.processes, limits.processes),
     ];
     for (resource, soft, hard) in limits {
         // Somebody may have set a lower one already.

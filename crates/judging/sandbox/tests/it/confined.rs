@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use sandbox::{Calls, Confinement, Launcher, NOT_LAUNCHED, Takings};
+use sandbox::{Calls, Confinement, Launcher, NOT_LAUNCHED, ResourceLimits};
 
 const LAUNCHER: &str = env!("CARGO_BIN_EXE_sandbox-launcher");
 
@@ -24,13 +24,13 @@ fn launcher() -> Option<Launcher> {
 
 /// What a shell and the programs that it starts need.
 fn shell(calls: Calls) -> Confinement {
-    let takings = Takings { open: 256, ..Takings::default() };
+    let limits = ResourceLimits { open: 256, ..ResourceLimits::default() };
     let null = vec!["/dev/null".into()];
     Confinement {
         executable: sandbox::programs(),
         readable: null.clone(),
         writable: null,
-        ..Confinement::new(calls, takings)
+        ..Confinement::new(calls, limits)
     }
 }
 
@@ -114,7 +114,7 @@ fn files_are_those_granted_each_as_it_was_granted() {
         ..shell(Calls::Building)
     };
     let confinement =
-        Confinement { takings: Takings { file: 1 << 20, ..confinement.takings }, ..confinement };
+        Confinement { limits: ResourceLimits { file: 1 << 20, ..confinement.limits }, ..confinement };
     let says =
         |script: &str| says(&launcher, &confinement, &format!("cd {}; {script}", folder.path().display()));
     assert_eq!(says("cat readable/file"), ("readable".to_owned(), true));

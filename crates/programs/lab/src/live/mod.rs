@@ -7,7 +7,7 @@ mod args;
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
-use play::{Measured, Mine, Server};
+use play::{Measured, Server, StudentPictures};
 
 pub(crate) use args::Command;
 use args::PlayArgs;
@@ -100,7 +100,7 @@ fn is_plain(sign: char) -> bool {
 }
 
 /// Draws with the exercises of this copy of the project. Elsewhere there are none, and every figure but those moves all the same.
-fn mine() -> Mine {
+fn mine() -> StudentPictures {
     match Workbench::find() {
         Ok(bench) => {
             let exercises = bench.exercises.clone();
@@ -111,9 +111,9 @@ fn mine() -> Mine {
                 judge.scratch.clone_from(scratch);
                 Ok(judge)
             };
-            Mine::new(exercises, Box::new(judge))
+            StudentPictures::new(exercises, Box::new(judge))
         }
-        Err(failure) => Mine::new(PathBuf::new(), Box::new(move || Err(failure.problem.clone()))),
+        Err(failure) => StudentPictures::new(PathBuf::new(), Box::new(move || Err(failure.problem.clone()))),
     }
 }
 

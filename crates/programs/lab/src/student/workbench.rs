@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use course::Exercise;
-use grader::{Build, Compiler, Judge, Judgement, Kit, Limits, bytes_of};
+use grader::{Build, Compiler, Judge, Judgement, Libraries, Limits, bytes_of};
 
 use super::ink;
 use super::memory::Memory;
@@ -94,14 +94,14 @@ impl Workbench {
         // would build everything a second time; the worker alone is soon built.
         let package = if cfg!(debug_assertions) { "worker" } else { env!("CARGO_PKG_NAME") };
         let build = Build { features: features(), ..Build::of(package) };
-        let memory = self.scratch.join(format!("kit-{}.json", build.profile));
-        let kit = Kit::remembered(&self.root, build, &memory).map_err(|e| {
+        let memory = self.scratch.join(format!("libraries-{}.json", build.profile));
+        let libraries = Libraries::remembered(&self.root, build, &memory).map_err(|e| {
             Failure::new(e.to_string(), "see that `cargo build --release --package lab` succeeds")
         })?;
         let mut limits = Limits::default();
         limits.time = limit.unwrap_or(limits.time);
         limits.whole = limits.whole.max(3 * limits.time);
-        let compiler = Compiler { kit, root: self.root.clone(), colour: ink::on() };
+        let compiler = Compiler { libraries, root: self.root.clone(), colour: ink::on() };
         Ok(Judge {
             compiler,
             limits,

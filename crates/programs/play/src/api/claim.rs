@@ -11,7 +11,7 @@ use crate::Refusal;
 /// A claim.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Asked {
+pub(crate) struct ClaimRequest {
     claim: String,
 }
 
@@ -19,7 +19,7 @@ pub(crate) struct Asked {
 ///
 /// # Errors
 /// [`Refusal`] if there is no such claim.
-pub(crate) fn run(asked: &Asked) -> Result<Json, Refusal> {
+pub(crate) fn run(asked: &ClaimRequest) -> Result<Json, Refusal> {
     let name = &asked.claim;
     let claim = claims::find(name).into_iter().next().ok_or_else(|| {
         Refusal::new(format!("there is no claim {name:?}"), format!("er is geen bewering {name:?}"))

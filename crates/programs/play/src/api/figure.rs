@@ -14,7 +14,7 @@ use crate::Refusal;
 /// A figure with some of its values.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Asked {
+pub(crate) struct FigureRequest {
     figure: String,
     #[serde(default)]
     set: BTreeMap<String, f32>,
@@ -26,7 +26,7 @@ pub(crate) struct Asked {
 ///
 /// # Errors
 /// [`Refusal`] if there is no such figure, or it cannot be drawn with these values.
-pub(crate) fn draw(asked: &Asked) -> Result<Json, Refusal> {
+pub(crate) fn draw(asked: &FigureRequest) -> Result<Json, Refusal> {
     let figure = find(&asked.figure)?;
     drawn(figure, &values(figure, &asked.set, asked.size)?)
 }

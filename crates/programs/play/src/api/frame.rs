@@ -20,7 +20,7 @@ use crate::{Look, Refusal, Stage};
 /// A picture by one of the loops.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Asked {
+pub(crate) struct FrameRequest {
     look: Look,
     renderer: String,
     /// One pixel stands for so many, along each side.
@@ -57,7 +57,7 @@ pub(crate) struct Frame {
 ///
 /// # Errors
 /// [`Refusal`] if a word is unknown, a number out of range, or the painter cannot.
-pub(crate) fn draw(stage: &Stage, asked: &Asked) -> Result<Frame, Refusal> {
+pub(crate) fn draw(stage: &Stage, asked: &FrameRequest) -> Result<Frame, Refusal> {
     let renderer: Renderer = named(&asked.renderer)?;
     if !(1..=COARSEST).contains(&asked.scale) || !(1..=MOST_SAMPLES).contains(&asked.samples) {
         return Err(Refusal::new("scale or samples are out of range", "schaal of samples buiten bereik"));

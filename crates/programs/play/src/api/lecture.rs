@@ -5,7 +5,7 @@ use figures::{Figure, Parameter};
 use serde_json::{Value as Json, json};
 
 use super::{number, text, title};
-use crate::Mine;
+use crate::StudentPictures;
 
 /// Everything that the page can show.
 pub(crate) fn lecture(is_trusted: bool) -> Json {
@@ -28,7 +28,7 @@ fn figure(figure: &'static Figure) -> Json {
         "caption": text(figure.caption),
         "parameters": figure.parameters.iter().map(parameter).collect::<Vec<_>>(),
         "size": [figure.size.0, figure.size.1],
-        "mine": Mine::exercises_of(figure).iter().map(|exercise| exercise.name).collect::<Vec<_>>(),
+        "mine": StudentPictures::exercises_of(figure).iter().map(|exercise| exercise.name).collect::<Vec<_>>(),
     })
 }
 

@@ -5,7 +5,7 @@ pub(crate) mod drawings;
 pub(crate) mod figure;
 pub(crate) mod frame;
 pub(crate) mod lecture;
-pub(crate) mod mine;
+pub(crate) mod student;
 
 use course::Exercise;
 use serde::Deserialize;
@@ -17,7 +17,7 @@ use crate::{Look, Refusal};
 /// A pixel's story.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct AskedStory {
+pub(crate) struct StoryRequest {
     pub(crate) look: Look,
     pub(crate) pixel: [u32; 2],
 }

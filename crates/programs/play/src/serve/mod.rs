@@ -20,7 +20,7 @@ use tokio::runtime::{Builder, Runtime};
 use tokio::sync::{Semaphore, mpsc};
 
 use crate::api::Measured;
-use crate::{Mine, Stage};
+use crate::{Stage, StudentPictures};
 use guard::{Guard, Key};
 
 /// The port that is tried first: on a telephone's keys it spells "play", with a 4 before it.
@@ -75,7 +75,7 @@ pub struct Server {
 pub(crate) struct Shared {
     pub(crate) guard: Guard,
     pub(crate) stage: Stage,
-    pub(crate) mine: Mine,
+    pub(crate) mine: StudentPictures,
     /// Where the page's files are read from, for who changes them; else they are those of the program.
     pub(crate) folder: Option<std::path::PathBuf>,
     pub(crate) measured: mpsc::Sender<Measured>,
@@ -93,7 +93,11 @@ impl Server {
     ///
     /// # Errors
     /// [`StartError`] if no port is free.
-    pub fn start(port: u16, mine: Mine, folder: Option<std::path::PathBuf>) -> Result<Self, StartError> {
+    pub fn start(
+        port: u16,
+        mine: StudentPictures,
+        folder: Option<std::path::PathBuf>,
+    ) -> Result<Self, StartError> {
         let system = |error: &dyn std::fmt::Display| StartError::System(error.to_string());
         let listener = listen(port)?;
         let address = listener.local_addr().map_err(|error| system(&error))?;

@@ -141,7 +141,7 @@ async fn post(shared: &Arc<Shared>, path: String, request: Request<Incoming>) ->
         "/api/drag" => compute(shared, request, |_, asked| api::figure::drag(&asked)).await,
         "/api/claim" => compute(shared, request, |_, asked| api::claim::run(&asked)).await,
         "/api/story" => {
-            compute(shared, request, |shared, asked: api::AskedStory| {
+            compute(shared, request, |shared, asked: api::StoryRequest| {
                 let [i, j] = asked.pixel;
                 story::story(&shared.stage, &asked.look, (i, j))
             })
@@ -151,7 +151,7 @@ async fn post(shared: &Arc<Shared>, path: String, request: Request<Incoming>) ->
         "/api/mine" => {
             trusted(shared, &request)?;
             let asked = body(request).await?;
-            let drawn = shared.ask(move |shared| api::mine::draw(&shared.mine, &asked)).await;
+            let drawn = shared.ask(move |shared| api::student::draw(&shared.mine, &asked)).await;
             Ok(answer::json(&drawn.map_err(Problem::Busy)??))
         }
         "/api/frame" => {

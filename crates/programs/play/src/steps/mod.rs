@@ -17,7 +17,7 @@ pub use solve::How;
 /// What is to be taken step by step.
 #[derive(Clone, Debug, Deserialize, PartialEq)]
 #[serde(tag = "kind", rename_all = "lowercase", deny_unknown_fields)]
-pub enum Asked {
+pub enum StepsRequest {
     /// The depth buffer of the slide, triangle by triangle (L17).
     Depth {
         /// z of the first polygon; larger is nearer.
@@ -50,11 +50,11 @@ pub enum Asked {
 ///
 /// # Errors
 /// [`Refusal`] if a look is none, a number is out of range, or there is nothing to be taken step by step.
-pub fn steps(stage: &Stage, asked: &Asked) -> Result<Json, Refusal> {
+pub fn steps(stage: &Stage, asked: &StepsRequest) -> Result<Json, Refusal> {
     let told = match asked {
-        Asked::Depth { first, second, third } => depth::told([*first, *second, *third])?,
-        Asked::Painter { look } => painter::told(stage, look)?,
-        Asked::Solve { how, look, pixel } => solve::told(stage, *how, look.as_ref(), *pixel)?,
+        StepsRequest::Depth { first, second, third } => depth::told([*first, *second, *third])?,
+        StepsRequest::Painter { look } => painter::told(stage, look)?,
+        StepsRequest::Solve { how, look, pixel } => solve::told(stage, *how, look.as_ref(), *pixel)?,
     };
     Ok(told.json())
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::thread;
 use std::time::Duration;
 
-use play::{Mine, Server};
+use play::{Server, StudentPictures};
 use serde_json::{Value as Json, json};
 
 /// A server that answers until the tests end.
@@ -18,8 +18,8 @@ fn served() -> Arc<Server> {
 }
 
 /// Nothing is drawn with a student's functions here.
-fn mine() -> Mine {
-    Mine::new("no folder".into(), Box::new(|| Err("no judge".to_owned())))
+fn mine() -> StudentPictures {
+    StudentPictures::new("no folder".into(), Box::new(|| Err("no judge".to_owned())))
 }
 
 /// What comes back on a request: status and the rest, up to the end of the connection.

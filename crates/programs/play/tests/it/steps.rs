@@ -5,7 +5,7 @@ use base64::prelude::BASE64_STANDARD;
 use canvas::srgb;
 use geometry::{Ray, Triangle};
 use glam::Vec3;
-use play::steps::{Asked, steps};
+use play::steps::{StepsRequest, steps};
 use play::{Look, Stage};
 use raytrace::triangle::{Solution, System, cramer, elimination, inverse, system};
 use raytrace::{nearest, viewing_ray, visible_interval};
@@ -13,7 +13,7 @@ use scene::Renderer;
 use serde_json::{Value as Json, json};
 use shading::Visibility;
 
-fn asked(json: Json) -> Asked {
+fn asked(json: Json) -> StepsRequest {
     serde_json::from_value(json).unwrap()
 }
 
@@ -86,7 +86,7 @@ fn what_is_not_understood_is_refused() {
         json!({ "kind": "painter" }),
         json!({ "kind": "solve", "how": "cramer", "pixel": [1, -2] }),
     ] {
-        assert!(serde_json::from_value::<Asked>(wrong.clone()).is_err(), "{wrong}");
+        assert!(serde_json::from_value::<StepsRequest>(wrong.clone()).is_err(), "{wrong}");
     }
 }
 

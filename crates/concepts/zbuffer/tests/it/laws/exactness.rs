@@ -5,7 +5,7 @@ use glam::{DMat3, DVec3, I64Vec2, Mat4, Vec3, dvec3, vec3};
 use proptest::prelude::*;
 use testkit::{Law, ensure};
 use transforms::{Camera, Pipeline, ViewVolume};
-use zbuffer::fast::{Band, Faces, Part, Projected};
+use zbuffer::fast::{Band, Faces, MeshInstance, Projected};
 use zbuffer::{DepthBuffer, DepthFormat, ScreenTriangle, ScreenVertex, project, rasterize};
 
 use super::{HEIGHT, WIDTH, fragments};
@@ -238,7 +238,7 @@ impl Tilted {
 
     /// The same by the fast loop, but for pixels of one alone.
     fn fast(&self) -> usize {
-        let parts = [Part { mesh: &self.mesh, world_from_object: Mat4::IDENTITY }];
+        let parts = [MeshInstance { mesh: &self.mesh, world_from_object: Mat4::IDENTITY }];
         let (mut projected, mut band) = (Projected::default(), Band::default());
         projected.project(&parts, &self.view, Faces::Both);
         let mut wrong = 0;

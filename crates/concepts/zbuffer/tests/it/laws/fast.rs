@@ -5,7 +5,7 @@ use glam::{Mat4, Vec3, vec3};
 use proptest::prelude::*;
 use testkit::{Law, ensure};
 use transforms::{Camera, Pipeline, ViewVolume};
-use zbuffer::fast::{Band, Faces, NONE, Part, Projected};
+use zbuffer::fast::{Band, Faces, MeshInstance, NONE, Projected};
 use zbuffer::{DepthBuffer, DepthFormat, project, rasterize};
 
 /// Triangle and depth of a pixel.
@@ -70,7 +70,8 @@ fn slide(mesh: &Mesh, maps: &[Mat4], faces: Faces, pipeline: &Pipeline) -> Vec<S
 }
 
 fn fast(mesh: &Mesh, maps: &[Mat4], faces: Faces, pipeline: &Pipeline) -> Vec<Seen> {
-    let parts: Vec<Part> = maps.iter().map(|map| Part { mesh, world_from_object: *map }).collect();
+    let parts: Vec<MeshInstance> =
+        maps.iter().map(|map| MeshInstance { mesh, world_from_object: *map }).collect();
     let mut projected = Projected::default();
     projected.project(&parts, pipeline, faces);
     let mut band = Band::default();

@@ -1,7 +1,7 @@
 //! Where do axes and eyes go? As it should be at the left, yours at the right.
 
 use glam::{Mat4, Vec2, Vec3, Vec4, vec2, vec3};
-use sheet::crowd::Vector;
+use sheet::label_layout::Vector;
 use sheet::text::{decimal, triple};
 use sheet::view::View;
 use sheet::{Ink, LETTER, Sheet};

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use std::time::Duration;
 
 use course::{Exercise, Late};
-use grader::{Build, Judge, Judgement, Kit, Opened, Outcome};
+use grader::{Build, CompiledFunction, Judge, Judgement, Libraries, Outcome};
 use sandbox::Launcher;
 
 /// The line of the submission on which the function's body begins.
@@ -42,9 +42,11 @@ pub(crate) fn root() -> PathBuf {
 }
 
 /// Built once for all tests of a program.
-fn kit() -> Kit {
-    static KIT: OnceLock<Kit> = OnceLock::new();
-    KIT.get_or_init(|| Kit::build(&root(), Build::of("worker")).expect("the libraries are built")).clone()
+fn libraries() -> Libraries {
+    static LIBRARIES: OnceLock<Libraries> = OnceLock::new();
+    LIBRARIES
+        .get_or_init(|| Libraries::build(&root(), Build::of("worker")).expect("the libraries are built"))
+        .clone()
 }
 
 /// Confines, if this system can; if not, says so loudly, once.
@@ -76,7 +78,7 @@ impl Bench {
 
     pub(crate) fn new() -> Self {
         let folder = tempfile::tempdir().expect("a folder");
-        let mut judge = Judge::in_folder(kit(), folder.path());
+        let mut judge = Judge::in_folder(libraries(), folder.path());
         judge.limits.time = A_CALL;
         judge.limits.compiling = COMPILING;
         Self { folder, judge }
@@ -133,7 +135,11 @@ impl Bench {
     }
 
     /// Compiles a file to be asked.
-    pub(crate) fn open(&self, exercise: &'static Exercise, source: &[u8]) -> Result<Opened, Outcome> {
+    pub(crate) fn open(
+        &self,
+        exercise: &'static Exercise,
+        source: &[u8],
+    ) -> Result<CompiledFunction, Outcome> {
         let file = self.folder.path().join("submission.rs");
         fs::write(&file, source).expect("a file");
         self.judge.open(exercise, &file)

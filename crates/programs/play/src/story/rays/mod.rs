@@ -6,7 +6,7 @@ use std::cmp::Ordering;
 
 use geometry::{Ray, Triangle};
 use raytrace::triangle::{Exit, Solution, cramer, raytri_or_exit, system};
-use raytrace::{Hit, Met, Shape, all_met, nearest};
+use raytrace::{Hit, HitRecord, Shape, all_met, nearest};
 use serde_json::{Value as Json, json};
 use sheet::Words;
 use sheet::text::decimal;
@@ -28,7 +28,7 @@ pub(super) struct Cast {
     /// What the pixel shows; nothing for the background.
     pub(super) hit: Option<Hit>,
     /// Everything on the ray's line.
-    pub(super) met: Vec<Met>,
+    pub(super) met: Vec<HitRecord>,
     entries: Vec<Entry>,
     left_out: usize,
     triangles: usize,
@@ -56,7 +56,7 @@ pub(super) fn cast(subject: &Subject) -> Cast {
     for (k, object) in world.objects().iter().enumerate() {
         if let Shape::Mesh(traced) = object.shape() {
             for triangle in 0..traced.mesh().len() {
-                let is_this = |met: &Met| (met.object as usize, met.triangle as usize) == (k, triangle);
+                let is_this = |met: &HitRecord| (met.object as usize, met.triangle as usize) == (k, triangle);
                 let hit = met.next_if(is_this);
                 let Some([a, b, c]) = object.corners(triangle) else { continue };
                 cast.ask((k, triangle), &Triangle::new(a, b, c), hit);
@@ -74,7 +74,7 @@ pub(super) fn cast(subject: &Subject) -> Cast {
 
 impl Cast {
     /// One triangle, by the slide's test and by the watertight one.
-    fn ask(&mut self, (object, k): (usize, usize), triangle: &Triangle, hit: Option<Met>) {
+    fn ask(&mut self, (object, k): (usize, usize), triangle: &Triangle, hit: Option<HitRecord>) {
         self.triangles += 1;
         let (t0, t1) = self.interval;
         let exit = raytri_or_exit(&self.ray, triangle, t0, t1).err();
@@ -92,7 +92,7 @@ impl Cast {
     }
 
     /// One crossing of an exact ball.
-    fn cross(&mut self, met: Met) {
+    fn cross(&mut self, met: HitRecord) {
         let solution = Solution { beta: 0.0, gamma: 0.0, t: met.t };
         self.enter((met.object as usize, None), solution, None, true);
     }

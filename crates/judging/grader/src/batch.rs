@@ -1,37 +1,37 @@
-//! Many files of one exercise, of which some may not compile: which do, and what do they answer? One worker for all of them.
+//! Many files of one exercise compiled into one worker, leaving out those that do not compile.
 
 use std::path::Path;
 
 use course::{Answerer, Exercise};
 
-use crate::compile::{NotCompiled, Part};
+use crate::compile::{NotCompiled, SourceFile};
 use crate::judge::{Judge, Worker};
 use crate::judgement::Outcome;
 use crate::process::Process;
 
-/// Files compiled into one worker, but for those that do not compile.
-pub struct Crowd<'a> {
+/// Files of one exercise, compiled into one worker as far as they compile.
+pub struct Batch<'a> {
     judge: &'a Judge,
     exercise: &'a Exercise,
     worker: Option<Worker>,
-    /// The place of each file's function in the worker.
+    /// The number of each file's function in the worker; `None` for a file that does not compile.
     places: Vec<Option<u32>>,
 }
 
 impl Judge {
-    /// Compiles many files of one exercise together, but for those that do not compile.
+    /// Compiles many files of one exercise together, leaving out those that do not compile.
     ///
     /// # Errors
     /// An [`Outcome`] that is no file's doing: no compiler, no room, or a refusal that names none of the files.
-    pub fn crowd<'a>(&'a self, exercise: &'a Exercise, files: &[&Path]) -> Result<Crowd<'a>, Outcome> {
-        let parts: Vec<Part<'_>> = files.iter().map(|file| Part { exercise, file }).collect();
+    pub fn batch<'a>(&'a self, exercise: &'a Exercise, files: &[&Path]) -> Result<Batch<'a>, Outcome> {
+        let parts: Vec<SourceFile<'_>> = files.iter().map(|file| SourceFile { exercise, file }).collect();
         let (worker, left) = self.worker_of_most(&parts).map_err(NotCompiled::outcome)?.unzip();
         let place = |at| left.as_ref()?.iter().position(|it| *it == at).map(|place| place as u32);
-        Ok(Crowd { judge: self, exercise, worker, places: (0..files.len()).map(place).collect() })
+        Ok(Batch { judge: self, exercise, worker, places: (0..files.len()).map(place).collect() })
     }
 }
 
-impl Crowd<'_> {
+impl Batch<'_> {
     /// One who answers for a file's function, in a process of its own; `None` if the file does not compile.
     pub fn answerer(&self, file: usize) -> Option<impl Answerer + use<>> {
         let worker = self.worker.as_ref()?;

@@ -6,12 +6,12 @@ use serde::Deserialize;
 use serde_json::Value as Json;
 
 use super::figure;
-use crate::{Mine, Refusal};
+use crate::{Refusal, StudentPictures};
 
 /// A figure, its values, and whose function.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Asked {
+pub(crate) struct StudentRequest {
     figure: String,
     #[serde(default)]
     set: BTreeMap<String, f32>,
@@ -22,7 +22,7 @@ pub(crate) struct Asked {
 ///
 /// # Errors
 /// [`Refusal`] if there is no such figure or exercise.
-pub(crate) fn draw(mine: &Mine, asked: &Asked) -> Result<Json, Refusal> {
+pub(crate) fn draw(mine: &StudentPictures, asked: &StudentRequest) -> Result<Json, Refusal> {
     let found = figure::find(&asked.figure)?;
     let values = figure::values(found, &asked.set, None)?;
     Ok(mine.draw(found, &values, super::exercise(&asked.exercise)?))

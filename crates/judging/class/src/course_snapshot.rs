@@ -1,11 +1,11 @@
-//! What was judged by? The course in outline, so that a report can be read without it.
+//! A summary of the course as it judged, stored in every report so that the report can be read without the course.
 
 use course::trial::EXAMPLES;
 
+use crate::digest::Digest;
 use crate::results::{Course, Exercise, Law, Misconception};
-use crate::sum::Sum;
 
-/// The course as it is now.
+/// Returns the summary of the course as it is now.
 pub fn course() -> Course {
     let exercises = course::all();
     let versions: Vec<String> = exercises
@@ -13,7 +13,7 @@ pub fn course() -> Course {
         .map(|exercise| format!("{} {:08x}", exercise.name, grader::version(exercise)))
         .collect();
     Course {
-        version: Sum::of(versions.iter().map(String::as_bytes)).hexadecimal()[..16].to_owned(),
+        version: Digest::of(versions.iter().map(String::as_bytes)).hexadecimal()[..16].to_owned(),
         exercises: exercises.iter().map(exercise).collect(),
     }
 }

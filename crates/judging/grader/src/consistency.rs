@@ -1,7 +1,7 @@
-//! Why may a law's being kept not be worth its points? A function of an exercise depends on its arguments, and on nothing else.
+//! Two checks that a function computes its answer from its arguments: it answers a repeated call the same, and it is not constant.
 //!
-//! Laws that compare two calls (do it, undo it) are also kept by a function that remembers what it was asked; many a law is kept by a function
-//! that says the same to everything. Neither has computed what was asked for.
+//! Laws that compare two calls (do, undo) also hold for a function that remembers its calls, and many laws hold for a function that always
+//! returns the same value. Neither earns points.
 
 use std::slice;
 
@@ -9,25 +9,28 @@ use course::trial::{Examination, Outcome, Tried, examine};
 use course::{Answerer, Exercise, Fault, InProcess, Reply, Value, diagnosis, values};
 use worker::identical;
 
-/// So many of the answered calls are repeated at most.
+/// Maximum number of answered calls that are repeated.
 const REPEATED: usize = 200;
 
-/// A call that was answered in two ways.
+/// A call that gave two different answers.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Twice {
-    /// What it was called with.
+pub struct InconsistentCall {
+    /// The arguments.
     pub arguments: Vec<Value>,
-    /// What it gave at first.
+    /// The first answer.
     pub first: Value,
-    /// What it gave when it was asked again, in a fresh process, among other calls.
+    /// The answer to the same call in a new process, among other calls.
     pub again: Reply,
 }
 
-/// Repeats calls in a fresh process, the last first; the call that is answered otherwise than before, if there is one.
+/// Repeats calls in a new process, the last one first, and returns the first call whose answer differs.
 ///
 /// # Errors
 /// [`Fault`]: there is no fresh process.
-pub(crate) fn unsteady(examination: &Examination, fresh: &mut dyn Answerer) -> Result<Option<Twice>, Fault> {
+pub(crate) fn unsteady(
+    examination: &Examination,
+    fresh: &mut dyn Answerer,
+) -> Result<Option<InconsistentCall>, Fault> {
     let answered = &examination.answered;
     let step = answered.len().div_ceil(REPEATED).max(1);
     let repeated: Vec<&(Vec<Value>, Value)> = answered.iter().rev().step_by(step).collect();
@@ -37,7 +40,7 @@ pub(crate) fn unsteady(examination: &Examination, fresh: &mut dyn Answerer) -> R
         Reply::Value(again) => !same(first, again),
         Reply::Panicked(_) | Reply::Lost(_) => true,
     });
-    Ok(otherwise.map(|((arguments, first), again)| Twice {
+    Ok(otherwise.map(|((arguments, first), again)| InconsistentCall {
         arguments: arguments.clone(),
         first: first.clone(),
         again,

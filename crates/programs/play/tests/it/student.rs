@@ -8,8 +8,8 @@ use std::time::{Duration, Instant};
 
 use course::Exercise;
 use figures::{Figure, Values};
-use grader::{Build, Judge, Kit};
-use play::Mine;
+use grader::{Build, Judge, Libraries};
+use play::StudentPictures;
 use serde_json::Value as Json;
 
 /// The workspace.
@@ -18,15 +18,17 @@ fn root() -> PathBuf {
 }
 
 /// Built once for all tests of this program.
-fn kit() -> Kit {
-    static KIT: OnceLock<Kit> = OnceLock::new();
-    KIT.get_or_init(|| Kit::build(&root(), Build::of("worker")).expect("the libraries are built")).clone()
+fn libraries() -> Libraries {
+    static LIBRARIES: OnceLock<Libraries> = OnceLock::new();
+    LIBRARIES
+        .get_or_init(|| Libraries::build(&root(), Build::of("worker")).expect("the libraries are built"))
+        .clone()
 }
 
 /// A folder of exercises as it is handed out, and who draws with what is in it.
 struct Desk {
     folder: tempfile::TempDir,
-    mine: Mine,
+    mine: StudentPictures,
 }
 
 impl Desk {
@@ -39,8 +41,8 @@ impl Desk {
             fs::write(file, exercise.stub).expect("a file");
         }
         let work = folder.path().join("work");
-        let make_judge = move || Ok(Judge::in_folder(kit(), &work));
-        Self { mine: Mine::new(exercises, Box::new(make_judge)), folder }
+        let make_judge = move || Ok(Judge::in_folder(libraries(), &work));
+        Self { mine: StudentPictures::new(exercises, Box::new(make_judge)), folder }
     }
 
     fn file(&self, exercise: &Exercise) -> PathBuf {
@@ -82,7 +84,9 @@ fn exercise(name: &str) -> &'static Exercise {
 
 /// The first figure that an exercise draws.
 fn figure_of(exercise: &Exercise) -> &'static Figure {
-    let draws = |figure: &&Figure| Mine::exercises_of(figure).iter().any(|other| other.name == exercise.name);
+    let draws = |figure: &&Figure| {
+        StudentPictures::exercises_of(figure).iter().any(|other| other.name == exercise.name)
+    };
     figures::all().into_iter().find(draws).expect("a figure")
 }
 
@@ -132,7 +136,7 @@ fn a_file_as_it_was_handed_out_is_not_started_and_nothing_is_made_ready() {
         MADE.fetch_add(1, Ordering::Relaxed);
         Err("no compiler".to_owned())
     };
-    let mine = Mine::new(desk.folder.path().join("exercises"), Box::new(make_judge));
+    let mine = StudentPictures::new(desk.folder.path().join("exercises"), Box::new(make_judge));
     let lambert = exercise("lambert");
     let figure = figure_of(lambert);
     let answer = mine.draw(figure, &Values::of(figure), lambert);

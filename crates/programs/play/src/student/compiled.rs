@@ -4,14 +4,14 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use course::Exercise;
-use grader::{Judge, Opened, Outcome};
+use grader::{CompiledFunction, Judge, Outcome};
 
 /// So many exercises are kept compiled.
 const MOST: usize = 8;
 
 /// The function of one exercise's file, and of which bytes it was made.
 #[derive(Debug, Default)]
-pub(super) struct Slot(Option<(u64, Opened)>);
+pub(super) struct Slot(Option<(u64, CompiledFunction)>);
 
 /// The functions that were asked last.
 #[derive(Debug, Default)]
@@ -49,7 +49,7 @@ impl Slot {
         exercise: &'static Exercise,
         file: &Path,
         now: Option<u64>,
-    ) -> Result<&Opened, Outcome> {
+    ) -> Result<&CompiledFunction, Outcome> {
         if now.is_none() || self.0.as_ref().map(|(made_of, _)| *made_of) != now {
             self.0 = None;
             let opened = judge.open(exercise, file)?;

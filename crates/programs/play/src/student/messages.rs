@@ -1,17 +1,17 @@
-//! What is said where a function cannot be drawn, or not everywhere?
+//! Messages for functions that cannot be drawn, or only in part.
 
 use course::{Late, Loss, Reply};
 use grader::{Outcome, Unreadable};
 use sheet::Words;
 
-/// Why there is no picture, or not a whole one.
+/// The reason why a picture is missing or incomplete.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Trouble {
-    /// In a word, for the page.
+    /// One word for the page's code.
     pub(super) state: &'static str,
-    /// In a sentence.
+    /// One sentence for the student.
     pub(super) message: Words,
-    /// The compiler's own words.
+    /// The compiler's message.
     pub(super) detail: Option<String>,
 }
 
@@ -20,7 +20,7 @@ impl Trouble {
         Self { state, message: Words::new(en, nl), detail: None }
     }
 
-    /// Something that is not the student's doing.
+    /// A failure that the student did not cause.
     pub(super) fn fault(what: &str) -> Self {
         Self::new(
             "fault",

@@ -8,7 +8,7 @@ use vocabulary::ViewVolume;
 
 use super::drawing::Drawn;
 use super::knobs::Knobs;
-use super::said::Trouble;
+use super::messages::Trouble;
 use crate::api::words;
 
 /// Numbers of an answer that are as near as this, relative for those above 1, are the same: what one way to compute them rounds otherwise than another.

@@ -1,4 +1,4 @@
-//! Where do names stand that would stand on each other? Side by side: they push one another away.
+//! Places the names of arrows so that they do not overlap: names that would overlap push each other apart.
 
 use glam::{Vec2, vec2};
 

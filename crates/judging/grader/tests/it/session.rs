@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::bench::{Bench, in_function};
 use course::{Answerer, Exercise, InProcess, Late, Loss, Reply, Value};
-use grader::{Opened, Outcome, Unreadable};
+use grader::{CompiledFunction, Outcome, Unreadable};
 
 /// What `rotate_about_point` is asked here.
 fn exercise() -> &'static Exercise {
@@ -18,7 +18,7 @@ fn questions(times: usize) -> Vec<Vec<Value>> {
 }
 
 /// A compiled function of this body, and the folder that it lies in.
-fn opened(body: &str) -> (Opened, Bench) {
+fn opened(body: &str) -> (CompiledFunction, Bench) {
     let bench = Bench::new();
     let opened = bench.open(exercise(), &in_function(body)).unwrap_or_else(|outcome| panic!("{outcome:?}"));
     (opened, bench)

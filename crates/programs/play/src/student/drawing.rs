@@ -5,8 +5,8 @@ use course::{Answerer, Exercise, InProcess, Reply, Value, values};
 use serde_json::{Value as Json, json};
 use sheet::Words;
 
+use super::messages::Trouble;
 use super::panel::{Dots, Panel, enlarged};
-use super::said::Trouble;
 use crate::api::drawings::png;
 use crate::api::words;
 

@@ -5,11 +5,13 @@ use figures::{Figure, Values};
 
 use super::drawing::{self, Drawn};
 use super::knobs::Knobs;
-use super::{Mine, calls, which};
+use super::{StudentPictures, calls, which};
 
 /// Every figure that an exercise draws.
 fn figures_of(exercise: &Exercise) -> Vec<&'static Figure> {
-    let draws = |figure: &&Figure| Mine::exercises_of(figure).iter().any(|other| other.name == exercise.name);
+    let draws = |figure: &&Figure| {
+        StudentPictures::exercises_of(figure).iter().any(|other| other.name == exercise.name)
+    };
     figures::all().into_iter().filter(draws).collect()
 }
 

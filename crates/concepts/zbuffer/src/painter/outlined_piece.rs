@@ -9,8 +9,8 @@ use super::facet::{Bounds, Facet};
 use super::piece::{CutLine, Piece, Side};
 use super::relation::{DEPTH_TOLERANCE, Relation, relation_of_facets};
 
-/// A piece and its outline. Which pixels the piece has is the cuts' business alone: the outline only puts it in order.
-pub(super) struct Part {
+/// A piece with its outline. The outline is used to order pieces only; the piece's cuts decide which pixels it covers.
+pub(super) struct OutlinedPiece {
     piece: Piece,
     facet: Arc<Facet>,
     outline: Vec<DVec2>,
@@ -28,7 +28,7 @@ pub(super) enum Position {
 /// the other by at most twice this, which is no constraint: so a division leaves no cycle that runs through the plane.
 const REACH: f64 = 0.5 * DEPTH_TOLERANCE;
 
-impl Part {
+impl OutlinedPiece {
     pub(super) fn whole(triangle: usize, facet: Arc<Facet>) -> Self {
         Self { piece: Piece::whole(triangle), outline: facet.outline(), facet }
     }

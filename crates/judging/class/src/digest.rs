@@ -1,12 +1,12 @@
-//! When are two files the same? When their SHA-256 is: nobody makes another file with the sum of one that was judged.
+//! SHA-256 fingerprints, used to skip submissions that have not changed and to choose seeds and shares.
 
-use sha2::{Digest, Sha256};
+use sha2::{Digest as _, Sha256};
 
-/// The sum of some texts, their lengths among them, so that no two lists of texts run together.
+/// The SHA-256 of a list of texts. Each text's length is hashed too, so that two different lists never hash the same bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Sum([u8; 32]);
+pub(crate) struct Digest([u8; 32]);
 
-impl Sum {
+impl Digest {
     pub(crate) fn of<'a>(texts: impl IntoIterator<Item = &'a [u8]>) -> Self {
         let mut sum = Sha256::new();
         for text in texts {
@@ -20,7 +20,7 @@ impl Sum {
         self.0.iter().map(|byte| format!("{byte:02x}")).collect()
     }
 
-    /// A number from it.
+    /// Returns the first eight bytes as a number.
     pub(crate) fn number(self) -> u64 {
         self.0.iter().take(8).fold(0, |number, byte| number << 8 | u64::from(*byte))
     }

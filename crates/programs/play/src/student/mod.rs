@@ -1,22 +1,22 @@
-//! What does a figure look like when the student's own function draws it?
+//! Figures drawn by the student's own functions.
 //!
-//! [`Mine`] compiles the file of an exercise once, asks its function in a process of its own, and gives three pictures: yours, right, and the
-//! difference. Whatever becomes of the file is said in its place.
+//! [`StudentPictures`] compiles the file of an exercise once, asks its function in a process of its own, and gives three pictures: yours, right, and the
+//! difference. If the file cannot be drawn, a message takes their place.
 //!
 //! - [`which`]: which exercises draw which figure.
 //! - [`light`], [`smooth`], [`screen`], [`rays`]: what each exercise is asked for a picture of pixels; [`calls`]: one call, drawn with lines.
 //! - [`panel`] and [`drawing`]: from answers to pictures.
-//! - [`compiled`]: what is kept from one slider's move to the next.
-//! - [`said`]: what is said where a function cannot be drawn.
+//! - [`compiled`]: compiled functions, reused from one movement of a slider to the next.
+//! - [`messages`]: messages for functions that cannot be drawn.
 
 mod calls;
 mod compiled;
 mod drawing;
 mod knobs;
 mod light;
+mod messages;
 mod panel;
 mod rays;
-mod said;
 mod screen;
 #[cfg(test)]
 mod seen;
@@ -29,14 +29,14 @@ use std::time::{Duration, UNIX_EPOCH};
 
 use course::Exercise;
 use figures::{Figure, Values};
-use grader::{Judge, Opened};
+use grader::{CompiledFunction, Judge};
 use serde_json::{Value as Json, json};
 
 use crate::api::{title, words};
 use compiled::{Shelf, locked};
 use drawing::Drawn;
 use knobs::Knobs;
-use said::Trouble;
+use messages::Trouble;
 
 /// All questions of a picture together may take so long. A right function takes a hundredth of it.
 const PATIENCE: Duration = Duration::from_secs(3);
@@ -45,20 +45,20 @@ const PATIENCE: Duration = Duration::from_secs(3);
 type MakeJudge = dyn Fn() -> Result<Judge, String> + Send + Sync;
 
 /// Draws figures with the student's functions.
-pub struct Mine {
+pub struct StudentPictures {
     exercises: PathBuf,
     make_judge: Box<MakeJudge>,
     judge: Mutex<Option<Arc<Judge>>>,
     shelf: Shelf,
 }
 
-impl std::fmt::Debug for Mine {
+impl std::fmt::Debug for StudentPictures {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Mine").field("exercises", &self.exercises).finish_non_exhaustive()
+        f.debug_struct("StudentPictures").field("exercises", &self.exercises).finish_non_exhaustive()
     }
 }
 
-impl Mine {
+impl StudentPictures {
     /// For the files in this folder. `make_judge` is asked when the first of them is to be compiled, and again only after it failed: it may build
     /// the libraries for that, which takes a minute.
     pub fn new(exercises: PathBuf, make_judge: Box<MakeJudge>) -> Self {
@@ -153,7 +153,7 @@ impl Mine {
 }
 
 /// A picture by a compiled function, in a process of its own that has its own time.
-fn by(opened: &Opened, knobs: &Knobs<'_>, exercise: &Exercise) -> Drawn {
+fn by(opened: &CompiledFunction, knobs: &Knobs<'_>, exercise: &Exercise) -> Drawn {
     let mut yours = opened.ask_for(PATIENCE);
     let panels = which::panels(exercise, knobs);
     if panels.is_empty() {

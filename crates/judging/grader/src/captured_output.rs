@@ -1,18 +1,18 @@
-//! What did a student's code print? It is read to the end, so that printing never waits, and kept from the beginning.
+//! What a student's code prints. Everything is read, so that printing never blocks; the beginning and the end are stored.
 
 use std::io::Read;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 
-/// So much of what a student's code prints is kept, in bytes; of the rest only the amount.
+/// Number of bytes stored from the beginning of each stream; the rest is only counted.
 const KEPT: usize = 16 << 10;
 
-/// So much of the end is kept, in bytes: the words with which Rust ends a process fit in.
+/// Number of bytes stored from the end of each stream: enough for Rust's message when it aborts a process.
 const LAST: usize = 1 << 10;
 
 /// What a student's code printed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Printed {
+pub struct CapturedOutput {
     /// On standard output.
     pub out: Output,
     /// On standard error.
@@ -22,9 +22,9 @@ pub struct Printed {
 /// What was printed on one stream.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Output {
-    /// The beginning.
+    /// The beginning of what was printed.
     pub text: String,
-    /// Further bytes that were not kept.
+    /// Number of bytes that were not stored.
     pub dropped: usize,
 }
 

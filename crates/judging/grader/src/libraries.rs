@@ -1,4 +1,4 @@
-//! What is a student's file compiled against? The worker, the vocabulary and glam, built once by cargo and remembered.
+//! The libraries that a student's file is compiled against: worker, vocabulary and glam, built once by cargo and found again later.
 
 use std::fs;
 use std::io;
@@ -10,8 +10,8 @@ use serde_json::{Value as Json, json};
 
 /// The libraries that a student's file is compiled against.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Kit {
-    /// The compiler itself, not a launcher that looks for it anew each time.
+pub struct Libraries {
+    /// The compiler itself, not rustup's proxy, which would search for it at every start.
     pub(crate) rustc: PathBuf,
     /// `libworker-….rlib`.
     worker: PathBuf,
@@ -19,11 +19,11 @@ pub struct Kit {
     vocabulary: PathBuf,
     /// `libglam-….rlib`.
     glam: PathBuf,
-    /// Where the compiler's own files are.
+    /// The compiler's sysroot.
     pub(crate) sysroot: PathBuf,
-    /// The folder in which the libraries find those that they need.
+    /// The folder with the libraries' own dependencies.
     pub(crate) dependencies: Option<PathBuf>,
-    /// Every file of a library that rustc may need. Not those of this workspace that hold solutions.
+    /// Every library file that rustc may read. None of them contains a solution.
     pub(crate) files: Vec<PathBuf>,
 }
 
@@ -46,9 +46,9 @@ impl Build {
     }
 }
 
-/// Why there is no kit.
+/// Why there is no libraries.
 #[derive(Debug, thiserror::Error)]
-pub enum KitError {
+pub enum LibrariesError {
     /// Cargo did not start.
     #[error("cargo does not start: {0}")]
     Cargo(io::Error),
@@ -60,14 +60,14 @@ pub enum KitError {
     Missing(&'static str),
 }
 
-impl Kit {
+impl Libraries {
     /// Builds the libraries in the workspace at `root`, or finds them already built.
     ///
     /// They are those of `build`: the libraries that the running program itself is made with need not be built again.
     ///
     /// # Errors
-    /// [`KitError`]: cargo is not there, or fails.
-    pub fn build(root: &Path, build: Build) -> Result<Self, KitError> {
+    /// [`LibrariesError`]: cargo is not there, or fails.
+    pub fn build(root: &Path, build: Build) -> Result<Self, LibrariesError> {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let output = Command::new(cargo)
             .current_dir(root)
@@ -76,15 +76,15 @@ impl Kit {
             .args(["--message-format", "json-render-diagnostics"])
             .stdin(Stdio::null())
             .output()
-            .map_err(KitError::Cargo)?;
+            .map_err(LibrariesError::Cargo)?;
         if !output.status.success() {
-            return Err(KitError::Build(String::from_utf8_lossy(&output.stderr).into_owned()));
+            return Err(LibrariesError::Build(String::from_utf8_lossy(&output.stderr).into_owned()));
         }
         let messages: Vec<Json> = String::from_utf8_lossy(&output.stdout)
             .lines()
             .filter_map(|line| serde_json::from_str(line).ok())
             .collect();
-        let library = |name| library(&messages, name).ok_or(KitError::Missing(name));
+        let library = |name| library(&messages, name).ok_or(LibrariesError::Missing(name));
         let (rustc, sysroot) = rustc(root);
         let worker = library("worker")?;
         Ok(Self {
@@ -98,20 +98,20 @@ impl Kit {
         })
     }
 
-    /// The kit that `memory` remembers, or a fresh one, which it then remembers. What is remembered counts as long as its files are
+    /// The libraries that `memory` remembers, or a fresh one, which it then remembers. What is remembered counts as long as its files are
     /// there and the running program has not changed.
     ///
     /// # Errors
-    /// [`KitError`], from building.
-    pub fn remembered(root: &Path, build: Build, memory: &Path) -> Result<Self, KitError> {
+    /// [`LibrariesError`], from building.
+    pub fn remembered(root: &Path, build: Build, memory: &Path) -> Result<Self, LibrariesError> {
         let program = this_program();
-        if let Some(kit) = recall(memory, &program) {
-            return Ok(kit);
+        if let Some(libraries) = recall(memory, &program) {
+            return Ok(libraries);
         }
-        let kit = Self::build(root, build)?;
-        // A kit that cannot be remembered is built again next time: slower, not wrong.
-        let _ = kit.remember(memory, &program);
-        Ok(kit)
+        let libraries = Self::build(root, build)?;
+        // A libraries that cannot be remembered is built again next time: slower, not wrong.
+        let _ = libraries.remember(memory, &program);
+        Ok(libraries)
     }
 
     /// Forgets what `memory` remembers: after an update of Rust the libraries must be built again.
@@ -151,14 +151,14 @@ impl Kit {
     }
 }
 
-fn recall(memory: &Path, program: &str) -> Option<Kit> {
+fn recall(memory: &Path, program: &str) -> Option<Libraries> {
     let remembered: Json = serde_json::from_str(&fs::read_to_string(memory).ok()?).ok()?;
     if remembered["program"].as_str()? != program {
         return None;
     }
     let path = |name: &str| remembered[name].as_str().map(PathBuf::from).filter(|path| path.is_file());
     let files = remembered["files"].as_array()?.iter().map(|file| Some(PathBuf::from(file.as_str()?)));
-    Some(Kit {
+    Some(Libraries {
         rustc: path("rustc")?,
         worker: path("worker")?,
         vocabulary: path("vocabulary")?,

@@ -1,4 +1,4 @@
-//! What is already known of a submission when a run goes on that was ended?
+//! Verdicts saved submission by submission, so that an interrupted run continues where it stopped.
 
 use std::fs;
 use std::io;
@@ -6,23 +6,23 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
+use crate::digest::Digest;
 use crate::results::{Outcome, Verdict};
-use crate::sum::Sum;
 
-/// Where, in the folder of a report, what was judged is kept: one file a submission.
+/// The folder in a report that holds one checkpoint per submission.
 pub const FOLDER: &str = "judged";
 
-/// A submission's verdicts, and on what they depend.
+/// A submission's verdicts, with everything they depend on.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Kept {
+pub(crate) struct Checkpoint {
     pub(crate) conditions: Conditions,
     pub(crate) verdicts: Vec<Verdict>,
     /// The SHA-256 of the two above when they were written: hexadecimal.
     digest: String,
 }
 
-/// All that a verdict depends on. What differs in one of these is judged again.
+/// Everything that a verdict depends on. A submission is judged again if any of these differs.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Conditions {
@@ -38,7 +38,7 @@ pub(crate) fn path(report: &Path, id: &str) -> PathBuf {
     report.join(FOLDER).join(format!("{id}.json"))
 }
 
-impl Kept {
+impl Checkpoint {
     pub(crate) fn new(conditions: Conditions, verdicts: Vec<Verdict>) -> Self {
         let digest = digest(&conditions, &verdicts);
         Self { conditions, verdicts, digest }
@@ -67,5 +67,5 @@ impl Kept {
 
 fn digest(conditions: &Conditions, verdicts: &[Verdict]) -> String {
     let json = serde_json::to_vec(&(conditions, verdicts));
-    Sum::of([json.unwrap_or_default().as_slice()]).hexadecimal()
+    Digest::of([json.unwrap_or_default().as_slice()]).hexadecimal()
 }

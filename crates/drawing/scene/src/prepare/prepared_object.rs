@@ -16,9 +16,9 @@ use crate::load::Imports;
 use crate::mtl::{material_of, surface_of};
 use crate::scene::{Object, Scene, Shape};
 
-/// One mesh and where its copies are.
+/// One object of the scene, ready to draw: its mesh, surfaces and copies.
 #[derive(Debug)]
-pub(crate) struct Part {
+pub(crate) struct PreparedObject {
     pub(crate) mesh: Mesh,
     /// Whether `mesh` stands for the unit ball, which the ray tracer has exactly.
     is_ball: bool,
@@ -31,9 +31,13 @@ pub(crate) struct Part {
     traced: OnceLock<Arc<TracedMesh>>,
 }
 
-impl Part {
+impl PreparedObject {
     /// The mesh, surfaces and places of one object.
-    pub(super) fn new(object: &Object, scene: &Scene, imports: &Imports) -> Result<Part, RenderError> {
+    pub(super) fn new(
+        object: &Object,
+        scene: &Scene,
+        imports: &Imports,
+    ) -> Result<PreparedObject, RenderError> {
         let import = if let Shape::Obj { path, .. } = &object.shape { imports.get(path) } else { None };
         let (surfaces, materials) = match (&object.material, import) {
             // The reader has seen to it that the name is known.
@@ -58,7 +62,7 @@ impl Part {
         } else {
             object.instances.iter().map(|copy| placed(product(copy))).collect()
         };
-        Ok(Part {
+        Ok(PreparedObject {
             is_ball: matches!(object.shape, Shape::Sphere { .. }) && !mesh.is_empty(),
             mesh,
             materials,
