@@ -9,7 +9,7 @@ use raytrace::{Settings, Shape, Surface, TracedMesh, fast};
 use shading::Shading;
 use shading::fast::Renderer;
 use transforms::Pipeline;
-use zbuffer::fast::{Band, Faces, NONE, MeshInstance, Projected};
+use zbuffer::fast::{Band, Faces, MeshInstance, NONE, Projected};
 
 use crate::drawing::{Draws, Picture, Seen};
 use crate::scenes::{self, Scene};

@@ -1,8 +1,7 @@
-//! How does each figure of the lecture come about, and is each sentence of it true?
+//! Every figure of the lecture, as a function from parameters to pictures and diagrams.
 //!
-//! [`Figure`]s are functions from parameters to pictures and diagrams; [`all`] lists them. What has a place in a drawing is a
-//! [`Handle`], and [`drag()`] moves it. [`claims`] puts the lecture's sentences on trial. [`page`] makes one HTML page of both.
-//! Everything shown is computed by the concept crates.
+//! [`all`] lists the [`Figure`]s. A [`Handle`] is a point in a drawing that can be dragged, and [`drag()`] moves it. Everything shown
+//! is computed by the concept crates. The crate `claims` tries the lecture's sentences; `album` makes one page of both.
 //!
 //! ```
 //! let figure = figures::find("L54")[0];
@@ -18,16 +17,14 @@
 #[doc = include_str!("../README.md")]
 struct ReadmeExamples;
 
-pub mod claims;
 pub mod drag;
 pub mod figure;
 pub mod handle;
-pub mod page;
+pub mod on_screen;
 pub mod parameter;
 
 mod ball;
 mod diagrams;
-mod on_screen;
 mod pictures;
 mod plots;
 
@@ -43,7 +40,7 @@ pub fn all() -> Vec<&'static Figure> {
     let mut figures: Vec<&'static Figure> =
         pictures::ALL.iter().chain(diagrams::ALL).chain(plots::ALL).copied().collect();
     // Stable: figures of one item stay in the order of the lists, pictures first.
-    figures.sort_by_key(|figure| item(figure.number()));
+    figures.sort_by_key(|figure| lecture_order(figure.number()));
     figures
 }
 
@@ -53,8 +50,9 @@ pub fn find(asked: &str) -> Vec<&'static Figure> {
     all().into_iter().filter(|figure| figure.is_called(asked)).collect()
 }
 
-/// The place of `L31` in the lecture: 31. Errors come last.
-fn item(number: &str) -> u32 {
+/// Returns the position of an item in the lecture: 31 for `L31`. The slides' errors (`E3`) follow all items.
+#[must_use]
+pub fn lecture_order(number: &str) -> u32 {
     let digits = number.get(1..).and_then(|digits| digits.parse().ok()).unwrap_or(0);
     if number.starts_with('E') { 1000 + digits } else { digits }
 }

@@ -72,9 +72,7 @@ fn place(asked: &PlayArgs) -> Result<String, Failure> {
         .map(|figure| figure.stem())
         .or_else(|| views.contains(&name).then(|| name.to_owned()))
         .or_else(|| {
-            figures::claims::find(name)
-                .first()
-                .map(|claim| format!("{}?claim={}", claim.number, claim.stem()))
+            claims::find(name).first().map(|claim| format!("{}?claim={}", claim.number, claim.stem()))
         })
     else {
         return Err(Failure::new(

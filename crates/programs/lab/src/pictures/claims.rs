@@ -1,6 +1,6 @@
 //! `cargo lab claims`: is what the slides say true?
 
-use ::figures::claims::{Claim, Report, all, find};
+use ::claims::{Claim, Report, all, find};
 use serde_json::{Value, json};
 
 use super::args::ClaimsArgs;

@@ -1,6 +1,6 @@
 //! Is it true? The claim stands its trial when the page asks.
 
-use figures::claims::{self, Version};
+use claims::{self, Version};
 use serde::Deserialize;
 use serde_json::{Value as Json, json};
 

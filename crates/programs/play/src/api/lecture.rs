@@ -1,6 +1,6 @@
 //! What is there to see? Figures, claims, scenes and exercises, as their registries list them.
 
-use figures::claims::{self, Claim};
+use claims::{self, Claim};
 use figures::{Figure, Parameter};
 use serde_json::{Value as Json, json};
 

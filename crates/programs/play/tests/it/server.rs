@@ -97,7 +97,7 @@ fn the_page_and_the_lecture_are_served() {
     assert!(page.contains("content-security-policy: default-src 'none'"), "{page}");
     let lecture = body(&get(&server, "/api/lecture", ""));
     assert_eq!(lecture["figures"].as_array().unwrap().len(), figures::all().len());
-    assert_eq!(lecture["claims"].as_array().unwrap().len(), figures::claims::all().len());
+    assert_eq!(lecture["claims"].as_array().unwrap().len(), claims::all().len());
     assert_eq!(lecture["token"], false);
     assert_eq!(body(&get(&server, "/api/lecture", &cookie(&server)))["token"], true);
 }

@@ -6,7 +6,7 @@ use std::fs;
 use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
 
-use figures::page::{Medium, Shown};
+use ::album::{Medium, Shown};
 use figures::{Content, Drawing, Words};
 use serde_json::{Map, Value, json};
 

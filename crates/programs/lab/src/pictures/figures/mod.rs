@@ -5,8 +5,8 @@ mod album;
 use std::path::Path;
 use std::time::Instant;
 
-use ::figures::claims::{self, Claim, Verdict};
-use ::figures::page::{self, Entry, Trial};
+use ::album::{Entry, Trial};
+use ::claims::{self, Claim, Verdict};
 use ::figures::{Figure, ParameterError, Values};
 use serde_json::{Value, json};
 
@@ -46,7 +46,7 @@ pub(crate) fn run(asked: &FiguresArgs) -> Result<Outcome, Failure> {
     progress.finish();
 
     let (entries, kept_trials) = on_the_page(&album);
-    album.write(PAGE, page::html(&entries, &kept_trials).as_bytes())?;
+    album.write(PAGE, ::album::html(&entries, &kept_trials).as_bytes())?;
     let page = asked.out.join(PAGE);
     let seconds = start.elapsed().as_secs_f64();
     say(&format!(
