@@ -197,6 +197,26 @@ impl Default for Settings {
     }
 }
 
+impl Object {
+    /// Returns one copy of a shape at the origin, with the material of this name.
+    #[must_use]
+    pub fn new(shape: Shape, material: &str) -> Self {
+        Self {
+            shape,
+            material: Some(material.to_owned()),
+            transforms: Vec::new(),
+            instances: Vec::new(),
+            crease_degrees: crate::parse::CREASE_DEGREES,
+        }
+    }
+
+    /// Returns the object with these transforms, applied first to last.
+    #[must_use]
+    pub fn moved(self, transforms: impl Into<Vec<Transform>>) -> Self {
+        Self { transforms: transforms.into(), ..self }
+    }
+}
+
 impl Shape {
     /// How many triangles one copy has; `None` for an OBJ file, which has to be read first.
     #[must_use]

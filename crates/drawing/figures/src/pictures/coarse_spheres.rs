@@ -1,9 +1,10 @@
 //! What does a coarse sphere show of its triangles, shaded per vertex and per fragment? (L41)
 
-use scene::{Renderer, Settings};
+use glam::{Vec3, vec3};
+use scene::{Object, Renderer, Scene, Settings, Shape, Transform};
 use shading::Shading;
 
-use super::studio::{Fault, scene, settings, shot};
+use super::studio::{Fault, ambient, checked, materials, seen_from, settings, shot, sun, surface};
 use crate::figure::{Drawing, Drawn, Figure, Text};
 use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
@@ -33,42 +34,7 @@ pub(super) static FIGURE: Figure = Figure {
 
 fn draw(values: &Values) -> Drawn {
     let (level, p) = (values.count("subdivision"), values.number("p"));
-    let loaded = scene(&format!(
-        r#"
-background = [0.05, 0.06, 0.08]
-[render]
-size = [480, 260]
-[camera]
-eye = [0, 0, 12]
-target = [0, 0, 0]
-fov = 15
-[[light]]
-kind = "ambient"
-color = 0.15
-[[light]]
-kind = "directional"
-to-light = [-0.5, 0.6, 1]
-color = 0.7
-[material.red]
-diffuse = [0.6, 0.1, 0.08]
-exponent = {p}
-[material.blue]
-diffuse = [0.1, 0.2, 0.6]
-exponent = {p}
-[[object]]
-shape = "icosphere"
-radius = 1.25
-level = {level}
-material = "red"
-transforms = [{{ translate = [-1.4, 0, 0] }}]
-[[object]]
-shape = "icosphere"
-radius = 1.25
-level = {level}
-material = "blue"
-transforms = [{{ rotate = 40, axis = [1, 2, 0] }}, {{ translate = [1.4, 0, 0] }}]
-"#
-    ))?;
+    let loaded = checked(&two_spheres(level, p))?;
     let drawing = |(shading, name, alt): (Shading, &str, Text)| -> Result<Drawing, Fault> {
         let settings = Settings { shading, ..settings(&loaded, Renderer::ZBuffer, values.size()) };
         Ok(Drawing::picture(name, alt, shot(&loaded, &settings)?))
@@ -85,4 +51,24 @@ transforms = [{{ rotate = 40, axis = [1, 2, 0] }}, {{ translate = [1.4, 0, 0] }}
         .into_iter()
         .map(drawing)
         .collect()
+}
+
+/// Returns a red and a blue ball of few triangles; the blue one is turned.
+fn two_spheres(level: u32, p: f32) -> Scene {
+    let ball = || Shape::Icosphere { radius: 1.25, level };
+    let turned = Transform::Rotate { degrees: 40.0, axis: vec3(1.0, 2.0, 0.0) };
+    let at = |x: f32| Transform::Translate(vec3(x, 0.0, 0.0));
+    Scene {
+        background: vec3(0.05, 0.06, 0.08),
+        lights: vec![ambient(0.15), sun(vec3(-0.5, 0.6, 1.0), 0.7)],
+        materials: materials([
+            ("red", surface(vec3(0.6, 0.1, 0.08), 1.0, p)),
+            ("blue", surface(vec3(0.1, 0.2, 0.6), 1.0, p)),
+        ]),
+        objects: vec![
+            Object::new(ball(), "red").moved([at(-1.4)]),
+            Object::new(ball(), "blue").moved([turned, at(1.4)]),
+        ],
+        ..seen_from(vec3(0.0, 0.0, 12.0), Vec3::ZERO, 15.0)
+    }
 }

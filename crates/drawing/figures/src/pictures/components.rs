@@ -1,9 +1,11 @@
 //! What do ambient, diffuse and specular light each add? (L36, L25)
 
 use canvas::Image;
-use scene::{Renderer, Settings};
+use glam::vec3;
+use lighting::Highlight;
+use scene::{Object, Renderer, Scene, Settings, Shape};
 
-use super::studio::{Fault, scene, settings, shot};
+use super::studio::{Fault, ambient, checked, materials, seen_from, settings, shot, sun, surface};
 use crate::figure::{Drawing, Drawn, Figure, Text};
 use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
@@ -91,34 +93,14 @@ fn draw(values: &Values) -> Drawn {
 
 fn picture(part: &Component, values: &Values) -> Result<Image, Fault> {
     let Component { ambient, light, diffuse, specular, .. } = *part;
-    let [r, g, b] = [0.08, 0.22, 0.75].map(|channel: f32| diffuse * channel);
-    let p = values.number("p");
-    let loaded = scene(&format!(
-        r#"
-[render]
-size = [400, 300]
-highlight = "phong"
-[camera]
-eye = [3.2, 4.2, 7.5]
-target = [0.3, 1.45, 0]
-fov = 38
-[[light]]
-kind = "ambient"
-color = {ambient}
-[[light]]
-kind = "directional"
-to-light = [-0.5, 0.9, 0.8]
-color = {light}
-[material.pot]
-diffuse = [{r}, {g}, {b}]
-specular = {specular}
-exponent = {p}
-[[object]]
-shape = "teapot"
-level = 3
-material = "pot"
-"#
-    ))?;
+    let blue = diffuse * vec3(0.08, 0.22, 0.75);
+    let loaded = checked(&Scene {
+        lights: vec![self::ambient(ambient), sun(vec3(-0.5, 0.9, 0.8), light)],
+        materials: materials([("pot", surface(blue, specular, values.number("p")))]),
+        objects: vec![Object::new(Shape::Teapot { level: 3 }, "pot")],
+        settings: Settings { highlight: Highlight::Phong, ..Settings::default() },
+        ..seen_from(vec3(3.2, 4.2, 7.5), vec3(0.3, 1.45, 0.0), 38.0)
+    })?;
     let settings = Settings { shadows: false, ..settings(&loaded, Renderer::ZBuffer, values.size()) };
     shot(&loaded, &settings)
 }

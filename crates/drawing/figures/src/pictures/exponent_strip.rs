@@ -1,10 +1,10 @@
 //! What does the exponent p do? (L31)
 
-use std::fmt::Write;
+use glam::{Vec3, vec3};
+use lighting::Highlight;
+use scene::{Object, Renderer, Scene, Settings, Shape, Transform};
 
-use scene::Renderer;
-
-use super::studio::{scene, settings, shot};
+use super::studio::{ambient, checked, seen_from, settings, shot, sun, surface};
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
@@ -32,7 +32,7 @@ pub(super) static FIGURE: Figure = Figure {
 
 fn draw(values: &Values) -> Drawn {
     let exponents = [1.0 / 64.0, 1.0 / 16.0, 0.25, 1.0, 4.0, 16.0].map(|factor| factor * values.number("p"));
-    let loaded = scene(&text(&exponents))?;
+    let loaded = checked(&strip(&exponents))?;
     let image = shot(&loaded, &settings(&loaded, Renderer::Raytrace, values.size()))?;
     let list = exponents.map(|p| p.to_string()).join(", ");
     let alt = Words::new(
@@ -42,34 +42,20 @@ fn draw(values: &Values) -> Drawn {
     Ok(vec![Drawing::picture("", alt, image)])
 }
 
-fn text(exponents: &[f32]) -> String {
-    let mut text = String::from(
-        r#"
-background = [0.05, 0.055, 0.07]
-[render]
-size = [960, 180]
-highlight = "phong"
-[camera]
-eye = [0, 0, 40]
-target = [0, 0, 0]
-fov = 3.8
-[[light]]
-kind = "ambient"
-color = 0.25
-[[light]]
-kind = "directional"
-to-light = [-0.45, 0.55, 1]
-color = 0.68
-"#,
-    );
+/// Returns six red balls in a row, each with its own exponent.
+fn strip(exponents: &[f32]) -> Scene {
+    let mut scene = Scene {
+        background: vec3(0.05, 0.055, 0.07),
+        lights: vec![ambient(0.25), sun(vec3(-0.45, 0.55, 1.0), 0.68)],
+        settings: Settings { highlight: Highlight::Phong, ..Settings::default() },
+        ..seen_from(vec3(0.0, 0.0, 40.0), Vec3::ZERO, 3.8)
+    };
     for (k, p) in exponents.iter().enumerate() {
-        let x = 2.3 * (k as f32 - 2.5);
-        // Writing to a string cannot fail.
-        let _ = write!(
-            text,
-            "[material.m{k}]\ndiffuse = [0.28, 0.04, 0.03]\nexponent = {p}\n\
-             [[object]]\nshape = \"sphere\"\nlevel = 5\nmaterial = \"m{k}\"\ntransforms = [{{ translate = [{x}, 0, 0] }}]\n"
-        );
+        let name = format!("m{k}");
+        let place = Transform::Translate(vec3(2.3 * (k as f32 - 2.5), 0.0, 0.0));
+        let ball = Shape::Sphere { radius: 1.0, level: 5 };
+        scene.objects.push(Object::new(ball, &name).moved([place]));
+        scene.materials.insert(name, surface(vec3(0.28, 0.04, 0.03), 1.0, *p));
     }
-    text
+    scene
 }

@@ -1,9 +1,10 @@
 //! What does it change to compute the colour at the corners instead of once a polygon? (L37, L38)
 
-use scene::{Renderer, Settings};
+use glam::vec3;
+use scene::{Object, Renderer, Scene, Settings, Shape};
 use shading::Shading;
 
-use super::studio::{Fault, scene, settings, shot};
+use super::studio::{Fault, ambient, checked, materials, matte, seen_from, settings, shot, sun};
 use crate::figure::{Drawing, Drawn, Figure, Text};
 use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
@@ -30,29 +31,13 @@ pub(super) static FIGURE: Figure = Figure {
 
 fn draw(values: &Values) -> Drawn {
     let level = values.count("subdivision");
-    let loaded = scene(&format!(
-        r#"
-background = [0.05, 0.06, 0.08]
-[camera]
-eye = [3.2, 4.2, 7.5]
-target = [0.3, 1.45, 0]
-fov = 38
-[[light]]
-kind = "ambient"
-color = 0.15
-[[light]]
-kind = "directional"
-to-light = [-0.5, 0.9, 0.8]
-color = 0.8
-[material.pot]
-diffuse = [0.75, 0.42, 0.2]
-specular = 0
-[[object]]
-shape = "teapot"
-level = {level}
-material = "pot"
-"#
-    ))?;
+    let loaded = checked(&Scene {
+        background: vec3(0.05, 0.06, 0.08),
+        lights: vec![ambient(0.15), sun(vec3(-0.5, 0.9, 0.8), 0.8)],
+        materials: materials([("pot", matte(vec3(0.75, 0.42, 0.2)))]),
+        objects: vec![Object::new(Shape::Teapot { level }, "pot")],
+        ..seen_from(vec3(3.2, 4.2, 7.5), vec3(0.3, 1.45, 0.0), 38.0)
+    })?;
     let drawing = |(shading, name, alt): (Shading, &str, Text)| -> Result<Drawing, Fault> {
         let settings = Settings { shading, ..settings(&loaded, Renderer::ZBuffer, values.size()) };
         Ok(Drawing::picture(name, alt, shot(&loaded, &settings)?))

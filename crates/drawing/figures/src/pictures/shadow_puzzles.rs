@@ -2,7 +2,7 @@
 
 use scene::{Loaded, Renderer, Settings};
 
-use super::studio::{Fault, built_in, scene, settings, shot};
+use super::studio::{Fault, built_in, from_text, settings, shot};
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::handle::without_handles;
 use crate::parameter::Values;
@@ -43,7 +43,7 @@ const PUZZLES: [Puzzle; 3] = [
     },
     Puzzle {
         name: "ice",
-        load: || scene(ICE),
+        load: || from_text(ICE),
         with: Text {
             en: "Stones with shadows that lie apart from them: they seem to hover.",
             nl: "Stenen met schaduwen die van hen af liggen: ze lijken te zweven.",
@@ -55,7 +55,7 @@ const PUZZLES: [Puzzle; 3] = [
     },
     Puzzle {
         name: "noon",
-        load: || scene(NOON),
+        load: || from_text(NOON),
         with: Text {
             en: "Posts and a ring under the sun: the posts have no shadow beside them, the ring has one straight beneath it.",
             nl: "Palen en een ring onder de zon: de palen hebben geen schaduw naast zich, de ring heeft er een recht onder zich.",

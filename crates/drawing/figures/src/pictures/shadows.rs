@@ -1,13 +1,15 @@
 //! What does a shadow ray change? (L56, L57)
 
+use canvas::Rgb;
 use glam::{Vec2, Vec3, vec2, vec3};
-use scene::{Renderer, Settings};
+use lighting::Light;
+use scene::{Object, Renderer, Scene, Settings, Shape, Transform};
 use sheet::text::triple;
 use sheet::view::View;
 use sheet::{Ink, Letters, Sheet, Side};
 use transforms::{Camera, DegenerateCamera, Pipeline, ViewVolume};
 
-use super::studio::{Fault, scene, settings, shot};
+use super::studio::{Fault, ambient, checked, materials, matte, seen_from, settings, shot, surface};
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::handle::{Handled, Handles, in_picture, with_handles};
 use crate::parameter::{Parameter, Values};
@@ -47,59 +49,7 @@ const TOP: Vec3 = vec3(BALL.x, BALL.y + RADIUS, BALL.z);
 
 fn draw(values: &Values) -> Drawn {
     let lamp = lamp(values);
-    let (Vec3 { x, y, z }, [eye_x, eye_y, eye_z]) = (lamp, EYE.to_array());
-    let ([aim_x, aim_y, aim_z], [ball_x, ball_y, ball_z]) = (TARGET.to_array(), BALL.to_array());
-    let loaded = scene(&format!(
-        r#"
-background = [0.45, 0.55, 0.68]
-[camera]
-eye = [{eye_x}, {eye_y}, {eye_z}]
-target = [{aim_x}, {aim_y}, {aim_z}]
-fov = {FOV}
-[[light]]
-kind = "ambient"
-color = 0.28
-[[light]]
-kind = "point"
-position = [{x}, {y}, {z}]
-color = 0.66
-[material.floor]
-diffuse = [0.66, 0.64, 0.58]
-specular = 0
-[material.red]
-diffuse = [0.62, 0.12, 0.08]
-specular = 0.4
-exponent = 60
-[material.blue]
-diffuse = [0.12, 0.26, 0.62]
-specular = 0.3
-exponent = 40
-[material.ochre]
-diffuse = [0.66, 0.46, 0.12]
-specular = 0.2
-exponent = 20
-[[object]]
-material = "floor"
-polygons = [[[-60, 0, 12], [60, 0, 12], [60, 0, -60], [-60, 0, -60]]]
-[[object]]
-shape = "sphere"
-level = 5
-material = "red"
-transforms = [{{ scale = {RADIUS} }}, {{ translate = [{ball_x}, {ball_y}, {ball_z}] }}]
-[[object]]
-shape = "box"
-size = [1.1, 1.9, 1.1]
-material = "blue"
-transforms = [{{ rotate = 30, axis = [0, 1, 0] }}, {{ translate = [1.6, 0.95, -0.7] }}]
-[[object]]
-shape = "torus"
-major = 0.75
-minor = 0.22
-level = 4
-material = "ochre"
-transforms = [{{ rotate = 68, axis = [1, 0, 0] }}, {{ rotate = 25, axis = [0, 1, 0] }}, {{ translate = [-2.2, 0.9, -0.9] }}]
-"#
-    ))?;
+    let loaded = checked(&still_life(lamp))?;
     let drawing = |(shadows, name, alt): (bool, &str, Text)| -> Result<Drawing, Fault> {
         let settings = Settings { shadows, ..settings(&loaded, Renderer::Raytrace, values.size()) };
         Ok(Drawing::picture(name, alt, shot(&loaded, &settings)?))
@@ -118,6 +68,36 @@ transforms = [{{ rotate = 68, axis = [1, 0, 0] }}, {{ rotate = 25, axis = [0, 1,
     }
     drawings.push(from_outside(lamp)?);
     with_handles(drawings, handles(values))
+}
+
+/// Returns a ball, a box and a ring on a floor, lit by the lamp.
+fn still_life(lamp: Vec3) -> Scene {
+    let turned = |degrees: f32, axis: Vec3| Transform::Rotate { degrees, axis };
+    let floor = vec![[-60.0, 12.0], [60.0, 12.0], [60.0, -60.0], [-60.0, -60.0]];
+    let floor = floor.into_iter().map(|[x, z]| vec3(x, 0.0, z)).collect();
+    Scene {
+        background: vec3(0.45, 0.55, 0.68),
+        lights: vec![ambient(0.28), Light::Point { position: lamp, color: Rgb::splat(0.66) }],
+        materials: materials([
+            ("floor", matte(vec3(0.66, 0.64, 0.58))),
+            ("red", surface(vec3(0.62, 0.12, 0.08), 0.4, 60.0)),
+            ("blue", surface(vec3(0.12, 0.26, 0.62), 0.3, 40.0)),
+            ("ochre", surface(vec3(0.66, 0.46, 0.12), 0.2, 20.0)),
+        ]),
+        objects: vec![
+            Object::new(Shape::Polygons { polygons: vec![floor] }, "floor"),
+            Object::new(Shape::Sphere { radius: 1.0, level: 5 }, "red")
+                .moved([Transform::Scale(Vec3::splat(RADIUS)), Transform::Translate(BALL)]),
+            Object::new(Shape::Cuboid { size: vec3(1.1, 1.9, 1.1), level: 3 }, "blue")
+                .moved([turned(30.0, Vec3::Y), Transform::Translate(vec3(1.6, 0.95, -0.7))]),
+            Object::new(Shape::Torus { major: 0.75, minor: 0.22, level: 4 }, "ochre").moved([
+                turned(68.0, Vec3::X),
+                turned(25.0, Vec3::Y),
+                Transform::Translate(vec3(-2.2, 0.9, -0.9)),
+            ]),
+        ],
+        ..seen_from(EYE, TARGET, FOV)
+    }
 }
 
 fn lamp(values: &Values) -> Vec3 {

@@ -1,11 +1,12 @@
 //! What do two surfaces look like that lie almost in one plane? (L20)
 
-use scene::{Renderer, Settings};
+use glam::vec3;
+use scene::{Lens, Object, Renderer, Scene, Settings, Shape};
 use transforms::ViewVolume;
 use zbuffer::DepthFormat;
 use zbuffer::depth_format::step_at;
 
-use super::studio::{Fault, scene, settings, shot};
+use super::studio::{Fault, ambient, checked, materials, matte, seen_from, settings, shot};
 use crate::figure::{Drawing, Drawn, Figure, Text, Words};
 use crate::handle::without_handles;
 use crate::parameter::{Parameter, Values};
@@ -44,7 +45,7 @@ const FAR: f32 = 120.0;
 
 fn draw(values: &Values) -> Drawn {
     let (gap, near) = (values.number("gap"), values.number("near"));
-    let loaded = scene(&text(gap, near))?;
+    let loaded = checked(&mats(gap, near))?;
     let picture = |(format, bits): (DepthFormat, u32)| -> Result<Drawing, Fault> {
         let settings = Settings {
             depth_bits: format,
@@ -69,44 +70,28 @@ fn draw(values: &Values) -> Drawn {
         .collect()
 }
 
-fn text(gap: f32, near: f32) -> String {
-    let mats: Vec<String> = (0..6)
-        .map(|k| {
-            let (far, wide) = (-4.0 - 6.0 * k as f32, 1.6 + 0.9 * k as f32);
-            let z = [far, far + 4.2];
-            format!(
-                "[[-{wide}, {gap}, {}], [{wide}, {gap}, {}], [{wide}, {gap}, {}], [-{wide}, {gap}, {}]]",
-                z[1], z[1], z[0], z[0]
-            )
-        })
-        .collect();
-    let mats = mats.join(",\n");
-    format!(
-        r#"
-background = [0.62, 0.72, 0.84]
-[camera]
-eye = [0.7, 2.2, 5.0]
-target = [0.0, 0.0, -12.0]
-fov = 40
-near = -{near}
-far = -{FAR}
-[[light]]
-kind = "ambient"
-color = 0.9
-[material.floor]
-diffuse = [0.10, 0.13, 0.22]
-specular = 0
-[material.mat]
-diffuse = [0.90, 0.62, 0.20]
-specular = 0
-[[object]]
-material = "floor"
-polygons = [[[-60, 0, 8], [60, 0, 8], [60, 0, -100], [-60, 0, -100]]]
-[[object]]
-material = "mat"
-polygons = [
-{mats}
-]
-"#
-    )
+/// Returns six mats on a floor, each `gap` above it and further away than the one before.
+fn mats(gap: f32, near: f32) -> Scene {
+    let rectangle = |x: f32, y: f32, z: [f32; 2]| {
+        vec![vec3(-x, y, z[0]), vec3(x, y, z[0]), vec3(x, y, z[1]), vec3(-x, y, z[1])]
+    };
+    let mats = (0..6).map(|k| {
+        let (far, wide) = (-4.0 - 6.0 * k as f32, 1.6 + 0.9 * k as f32);
+        rectangle(wide, gap, [far + 4.2, far])
+    });
+    let mut scene = Scene {
+        background: vec3(0.62, 0.72, 0.84),
+        lights: vec![ambient(0.9)],
+        materials: materials([
+            ("floor", matte(vec3(0.10, 0.13, 0.22))),
+            ("mat", matte(vec3(0.90, 0.62, 0.20))),
+        ]),
+        objects: vec![
+            Object::new(Shape::Polygons { polygons: vec![rectangle(60.0, 0.0, [8.0, -100.0])] }, "floor"),
+            Object::new(Shape::Polygons { polygons: mats.collect() }, "mat"),
+        ],
+        ..seen_from(vec3(0.7, 2.2, 5.0), vec3(0.0, 0.0, -12.0), 40.0)
+    };
+    scene.camera.lens = Lens::FieldOfView { degrees: 40.0, near: Some(-near), far: Some(-FAR) };
+    scene
 }
