@@ -1,8 +1,7 @@
 //! How does a mesh from elsewhere come in? As Wavefront OBJ text, its materials as MTL text.
 //!
-//! [`parse`] tells the story: scan the text line by line, so that each defect is reported with its line and what to do
-//! about it (`scan`); let [tobj](https://docs.rs/tobj) read what passed; cut polygons into triangles (`faces`);
-//! look the materials up (`mtl`).
+//! [`parse`] tells the story: read the text line by line, so that each defect is reported with its line and a remedy (`scan`); cut
+//! polygons into triangles (`faces`); look the materials up (`mtl`).
 //!
 //! What is read: `v` (with w; vertex colours are left out), `vt`, `vn`, `f` with any number of corners, indices from
 //! either end, `usemtl` (without a name: the default material), `mtllib`, `s`, comments, continued lines, the line ends of
@@ -23,12 +22,12 @@ mod text;
 pub use material::ObjMaterial;
 pub use message::{ObjError, ObjWarning};
 
-use glam::{DVec3, Vec2, Vec3};
+use glam::DVec3;
 
 use crate::{Indexed, Mesh};
 use message::Warnings;
 use mtl::Library;
-use scan::Scan;
+use scan::{Attribute, Scan};
 
 /// A mesh and its materials.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,34 +78,14 @@ pub fn parse(
 ) -> Result<Import, ObjError> {
     let mut warnings = Warnings::default();
     let scan = Scan::of(bytes, source, &mut warnings)?;
-    let model = read(&scan.plain, source)?;
-    let polygons = faces::cut(&model, &scan, &mut warnings)?;
+    let polygons = faces::cut(&scan, &mut warnings)?;
     let library = Library::load(&scan, load_mtl, &mut warnings)?;
     let numbers = library.numbers_of(&scan, &mut warnings);
     let materials =
         polygons.faces.iter().map(|face| scan.faces[*face].material.map_or(0, |used| numbers[used]));
-    let mesh = mesh_of(&model, &scan, &polygons.corners, materials.collect())?;
+    let mesh = mesh_of(&scan, &polygons.corners, materials.collect())?;
     let (origin, smoothing) = (scan.origin, smoothing_of(&scan, &polygons.faces));
     Ok(Import { mesh, origin, materials: library.materials, smoothing, warnings: warnings.into_vec() })
-}
-
-/// Lets tobj read the plain text. The scan has seen to it that there is one model and nothing to refuse.
-fn read(plain: &str, source: &str) -> Result<tobj::Mesh, ObjError> {
-    let options =
-        tobj::LoadOptions { ignore_points: true, ignore_lines: true, ..tobj::LoadOptions::default() };
-    let no_materials = |_: &std::path::Path| Err(tobj::LoadError::GenericFailure);
-    let refused = |reason: String| {
-        ObjError::new(
-            source,
-            None,
-            format!("the OBJ reader refuses the text: {reason}"),
-            "export the mesh anew",
-        )
-    };
-    let (models, _) = tobj::load_obj_buf(&mut plain.as_bytes(), &options, no_materials)
-        .map_err(|reason| refused(reason.to_string()))?;
-    let model = models.into_iter().next().ok_or_else(|| refused("no faces".to_owned()))?;
-    Ok(model.mesh)
 }
 
 /// The smoothing group of each triangle, if the file has any groups. `faces` has the face of each triangle.
@@ -117,29 +96,23 @@ fn smoothing_of(scan: &Scan, faces: &[usize]) -> Vec<Option<u32>> {
     faces.iter().map(|face| scan.faces[*face].smoothing).collect()
 }
 
-/// The mesh whose triangles have the given corners, each a place in the lists of indices of `model`.
-fn mesh_of(
-    model: &tobj::Mesh,
-    scan: &Scan,
-    corners: &[[usize; 3]],
-    materials: Vec<u32>,
-) -> Result<Mesh, ObjError> {
-    let look_up =
-        |indices: &[u32]| corners.iter().map(|t| t.map(|corner| indices[corner])).collect::<Vec<_>>();
-    let in_threes = |numbers: &[f32]| numbers.chunks_exact(3).map(Vec3::from_slice).collect::<Vec<_>>();
-    let in_twos = |numbers: &[f32]| numbers.chunks_exact(2).map(Vec2::from_slice).collect::<Vec<_>>();
-
-    let mut mesh = Mesh::new(in_threes(&model.positions), look_up(&model.indices));
+/// The mesh whose triangles have these corners, each a place in the scan's lists of indices.
+fn mesh_of(scan: &Scan, corners: &[[usize; 3]], materials: Vec<u32>) -> Result<Mesh, ObjError> {
+    let mut mesh = Mesh::new(scan.positions.values.clone(), look_up(&scan.positions.indices, corners));
     if scan.has_normals {
-        let normals =
-            Indexed { values: in_threes(&model.normals), triangles: look_up(&model.normal_indices) };
-        mesh = mesh.and_then(|mesh| mesh.with_normals(normals));
+        mesh = mesh.and_then(|mesh| mesh.with_normals(indexed(&scan.normals, corners)));
     }
     if scan.has_texture {
-        let texture =
-            Indexed { values: in_twos(&model.texcoords), triangles: look_up(&model.texcoord_indices) };
-        mesh = mesh.and_then(|mesh| mesh.with_texture_coordinates(texture));
+        mesh = mesh.and_then(|mesh| mesh.with_texture_coordinates(indexed(&scan.texture, corners)));
     }
     mesh.and_then(|mesh| mesh.with_materials(materials))
         .map_err(|reason| ObjError::new(&scan.source, None, reason.to_string(), "export the mesh anew"))
+}
+
+fn indexed<T: Copy>(attribute: &Attribute<T>, corners: &[[usize; 3]]) -> Indexed<T> {
+    Indexed { values: attribute.values.clone(), triangles: look_up(&attribute.indices, corners) }
+}
+
+fn look_up(indices: &[u32], corners: &[[usize; 3]]) -> Vec<[u32; 3]> {
+    corners.iter().map(|triangle| triangle.map(|corner| indices[corner])).collect()
 }

@@ -2,8 +2,6 @@
 
 use std::collections::{HashMap, HashSet};
 
-use glam::Vec3;
-
 use super::material::ObjMaterial;
 use super::message::{ObjError, Warnings, quoted};
 use super::mtl_scan;
@@ -43,7 +41,7 @@ impl Library {
                     continue;
                 }
                 match bytes {
-                    Ok(bytes) => library.add(parse(&bytes, name, &mut names_read, warnings)?),
+                    Ok(bytes) => library.add(mtl_scan::scan(&bytes, name, &mut names_read, warnings)?),
                     Err(reason) => warnings.add(
                         &scan.source,
                         Some(reference.line),
@@ -78,36 +76,4 @@ impl Library {
             }
         }
     }
-}
-
-/// The materials in MTL text.
-///
-/// - `names`: those of all materials that were read before; the new ones are added.
-fn parse(
-    bytes: &[u8],
-    file: &str,
-    names: &mut HashSet<String>,
-    warnings: &mut Warnings,
-) -> Result<Vec<ObjMaterial>, ObjError> {
-    let plain = mtl_scan::scan(bytes, file, names, warnings)?;
-    let (materials, _) = tobj::load_mtl_buf(&mut plain.as_bytes()).map_err(|reason| {
-        ObjError::new(
-            file,
-            None,
-            format!("the MTL reader refuses the text: {reason}"),
-            "export the materials anew",
-        )
-    })?;
-    let color = |rgb: Option<[f32; 3]>| rgb.map(Vec3::from_array);
-    let convert = |m: tobj::Material| ObjMaterial {
-        ambient: color(m.ambient),
-        diffuse: color(m.diffuse),
-        specular: color(m.specular),
-        exponent: m.shininess,
-        dissolve: m.dissolve,
-        refractive_index: m.optical_density,
-        illumination_model: m.illumination_model,
-        name: m.name,
-    };
-    Ok(materials.into_iter().map(convert).collect())
 }

@@ -1,29 +1,32 @@
-//! Is each line of the MTL text sound? And what does it come to, written plainly?
+//! What does each line of the MTL text say? A line that is wrong is an error with its number and a remedy.
 
 use std::collections::HashSet;
-use std::fmt::Write;
 
+use glam::DVec3;
+
+use super::material::ObjMaterial;
 use super::message::{ObjError, Warnings, quoted};
 use super::text::{self, Line, number};
 
-/// Checks MTL text line by line and writes plainly what it says: tobj reports no lines and panics on colours with fewer
-/// than three numbers.
+/// Reads the materials in MTL text, in its order.
 ///
 /// - `names`: those of all materials that were read before; the new ones are added.
+///
+/// # Errors
+/// [`ObjError`]: text that is not UTF-8, numbers that are none, values before the first material, a material without a name.
 pub(super) fn scan(
     bytes: &[u8],
     file: &str,
     names: &mut HashSet<String>,
     warnings: &mut Warnings,
-) -> Result<String, ObjError> {
+) -> Result<Vec<ObjMaterial>, ObjError> {
     let text = text::decode(bytes, file)?;
-    let plain = String::with_capacity(text.len());
-    let mut scanner = Scanner { file, names, warnings, plain, material: None };
+    let mut scanner = Scanner { file, names, warnings, materials: Vec::new(), material: None };
     for line in text::lines(text) {
         scanner.statement(&line)?;
     }
     scanner.end_material();
-    Ok(scanner.plain)
+    Ok(scanner.materials)
 }
 
 /// Greatest difference between `d` and 1 − `Tr` that still says the same: exporters round either of them to two digits.
@@ -33,13 +36,16 @@ struct Scanner<'a> {
     file: &'a str,
     names: &'a mut HashSet<String>,
     warnings: &'a mut Warnings,
-    plain: String,
-    material: Option<Said>,
+    /// Those that are complete.
+    materials: Vec<ObjMaterial>,
+    material: Option<Current>,
 }
 
-/// What the lines of the current material have said so far.
+/// The material whose lines are being read.
 #[derive(Default)]
-struct Said {
+struct Current {
+    /// What it is so far, without `dissolve`.
+    material: ObjMaterial,
     /// The keywords whose values were taken.
     keywords: HashSet<String>,
     /// `d`.
@@ -89,15 +95,15 @@ impl Scanner<'_> {
             let message = format!("material {} is defined again; its first definition is used", quoted(name));
             self.warn(line, message);
         }
-        self.material = Some(Said::default());
-        self.write(format_args!("newmtl {name}\n"));
+        let material = ObjMaterial { name: name.to_owned(), ..ObjMaterial::default() };
+        self.material = Some(Current { material, ..Current::default() });
         Ok(())
     }
 
-    /// Writes the dissolve of the material that ends here. Where `d` and `Tr` contradict each other, `d` decides: some
+    /// Completes the material that ends here. Where `d` and `Tr` contradict each other, `d` decides: some
     /// exporters write the same number for both.
     fn end_material(&mut self) {
-        let Some(said) = self.material.take() else { return };
+        let Some(mut said) = self.material.take() else { return };
         let by_transparency = said.transparency.map(|(transparency, _)| 1.0 - transparency);
         if let (Some(d), Some((transparency, line))) = (said.dissolve, said.transparency)
             && (d - (1.0 - transparency)).abs() > ROUNDING
@@ -105,13 +111,12 @@ impl Scanner<'_> {
             let message = format!("Tr {transparency} contradicts d {d}; d is used, since Tr should be 1 - d");
             self.warnings.add(self.file, Some(line), message);
         }
-        if let Some(dissolve) = said.dissolve.or(by_transparency) {
-            self.write(format_args!("d {dissolve}\n"));
-        }
+        said.material.dissolve = said.dissolve.or(by_transparency).map(|share| share as f32);
+        self.materials.push(said.material);
     }
 
     /// Notes that a value of `keyword` is taken.
-    fn take(&mut self, line: &Line<'_>, keyword: &str) -> &mut Said {
+    fn take(&mut self, line: &Line<'_>, keyword: &str) -> &mut Current {
         let is_new = self.material.get_or_insert_default().keywords.insert(keyword.to_owned());
         if !is_new {
             self.warn(line, format!("{keyword} occurs again in one material; the last one is used"));
@@ -144,8 +149,13 @@ impl Scanner<'_> {
                     format!("{keyword} above 1 gives back more light than arrives; it is taken as it stands"),
                 );
             }
-            self.take(line, keyword);
-            self.write(format_args!("{keyword} {r} {g} {b}\n"));
+            let color = Some(DVec3::new(r, g, b).as_vec3());
+            let material = &mut self.take(line, keyword).material;
+            match keyword {
+                "Ka" => material.ambient = color,
+                "Kd" => material.diffuse = color,
+                _ => material.specular = color,
+            }
         }
         Ok(())
     }
@@ -172,8 +182,9 @@ impl Scanner<'_> {
         match keyword {
             "d" => said.dissolve = Some(value),
             "Tr" => said.transparency = Some((value, line.number)),
-            "illum" => self.write(format_args!("illum {}\n", value as u8)),
-            _ => self.write(format_args!("{keyword} {value}\n")),
+            "illum" => said.material.illumination_model = Some(value as u8),
+            "Ns" => said.material.exponent = Some(value as f32),
+            _ => said.material.refractive_index = Some(value as f32),
         }
         Ok(())
     }
@@ -184,9 +195,5 @@ impl Scanner<'_> {
 
     fn error(&self, line: &Line<'_>, problem: impl Into<String>, remedy: &str) -> ObjError {
         ObjError::new(self.file, Some(line.number), problem, remedy)
-    }
-
-    fn write(&mut self, words: std::fmt::Arguments<'_>) {
-        self.plain.write_fmt(words).expect("a String takes all that is written");
     }
 }

@@ -1,14 +1,9 @@
-//! Is each line of the OBJ text sound? And what does it come to, written plainly?
-//!
-//! tobj reports no lines, fills in indices that are missing and splits a mesh at every change of material. So the scan
-//! checks each line, remembers the materials of the faces itself, and writes a plain text that says the same with
-//! nothing but three- and two-number vertices and faces with all three indices counted from the start. Where a corner
-//! has no texture coordinates or no normal it names the first of the plain text, which are zeros put there for that.
+//! What does each line of the OBJ text say? A line that is wrong is an error with its number and a remedy.
 
 use std::collections::HashMap;
-use std::fmt::Write;
+use std::ops::Range;
 
-use glam::{DVec3, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 
 use super::indices::{Indices, Kind, Place};
 use super::message::{ObjError, Warnings, quoted};
@@ -18,11 +13,15 @@ use super::text::{self, number};
 pub(super) struct Scan {
     /// The name of the text in messages.
     pub(super) source: String,
-    /// The vertices, less `origin`, and faces for tobj.
-    pub(super) plain: String,
+    /// The vertices that faces use, less `origin`.
+    pub(super) positions: Attribute<Vec3>,
+    /// Their texture coordinates; (0, 0) at a corner without.
+    pub(super) texture: Attribute<Vec2>,
+    /// Their normals; zero at a corner without.
+    pub(super) normals: Attribute<Vec3>,
     /// What was subtracted from every vertex, so that a mesh far away keeps its digits in f32.
     pub(super) origin: DVec3,
-    /// One entry for each face of the plain text.
+    /// The faces, in the order of the file.
     pub(super) faces: Vec<Face>,
     /// The names of used materials, with the first line that uses them.
     pub(super) used: Vec<Reference>,
@@ -34,9 +33,34 @@ pub(super) struct Scan {
     pub(super) has_texture: bool,
 }
 
-/// What the scan knows of a face and tobj does not.
+/// Values, and for each corner of each face the index of its value.
+#[derive(Default)]
+pub(super) struct Attribute<T> {
+    pub(super) values: Vec<T>,
+    pub(super) indices: Vec<u32>,
+}
+
+impl<T: Copy> Attribute<T> {
+    /// Takes from `all` the values that corners use, in the order of their first use. `indices` has a place in `all` for each corner.
+    fn used(all: &[T], indices: &[usize]) -> Self {
+        let mut numbers = vec![None; all.len()];
+        let mut used = Self { values: Vec::new(), indices: Vec::with_capacity(indices.len()) };
+        for index in indices {
+            let number = *numbers[*index].get_or_insert_with(|| {
+                used.values.push(all[*index]);
+                used.values.len() as u32 - 1
+            });
+            used.indices.push(number);
+        }
+        used
+    }
+}
+
+/// A face of the file.
 pub(super) struct Face {
     pub(super) line: usize,
+    /// The places of its corners in the lists of indices.
+    pub(super) corners: Range<usize>,
     /// Its place in [`Scan::used`].
     pub(super) material: Option<usize>,
     /// Its smoothing group: 0 for `s off`, `None` if no `s` came before.
@@ -53,7 +77,7 @@ impl Scan {
     /// Checks the text in `bytes`.
     pub(super) fn of(bytes: &[u8], source: &str, warnings: &mut Warnings) -> Result<Self, ObjError> {
         let text = text::decode(bytes, source)?;
-        let mut scanner = Scanner::new(source, text.len());
+        let mut scanner = Scanner::new(source);
         for line in text::lines(text) {
             scanner.line = line.number;
             scanner.statement(&line.text, warnings)?;
@@ -79,8 +103,12 @@ struct Scanner {
     line: usize,
     /// The vertices as the file has them, already divided by w.
     vertices: Vec<DVec3>,
-    /// The vertices at the corners of all faces, counted from 1.
-    corners: Vec<u64>,
+    /// First (0, 0), which stands for a corner without texture coordinates; then those of the file.
+    texture: Vec<Vec2>,
+    /// First zero, which stands for a corner without a normal; then those of the file.
+    normals: Vec<Vec3>,
+    /// For each corner of each face its place in `vertices`, `texture` and `normals`.
+    corners: [Vec<usize>; 3],
     indices: Indices,
     material: Option<usize>,
     smoothing: Option<u32>,
@@ -88,12 +116,12 @@ struct Scanner {
 }
 
 impl Scanner {
-    fn new(source: &str, length: usize) -> Self {
-        let mut plain = String::with_capacity(length);
-        plain.push_str("vt 0 0\nvn 0 0 0\n");
+    fn new(source: &str) -> Self {
         let scan = Scan {
             source: source.to_owned(),
-            plain,
+            positions: Attribute::default(),
+            texture: Attribute::default(),
+            normals: Attribute::default(),
             origin: DVec3::ZERO,
             faces: Vec::new(),
             used: Vec::new(),
@@ -105,7 +133,9 @@ impl Scanner {
             scan,
             line: 0,
             vertices: Vec::new(),
-            corners: Vec::new(),
+            texture: vec![Vec2::ZERO],
+            normals: vec![Vec3::ZERO],
+            corners: Default::default(),
             indices: Indices::default(),
             material: None,
             smoothing: None,
@@ -175,7 +205,7 @@ impl Scanner {
             _ => return Err(self.wrong_count("vt", numbers.len())),
         };
         self.indices.add(Kind::Texture);
-        self.write(format_args!("vt {u} {v}\n"));
+        self.texture.push(Vec2::new(u as f32, v as f32));
         Ok(())
     }
 
@@ -185,28 +215,29 @@ impl Scanner {
             return Err(self.wrong_count("vn", numbers.len()));
         };
         self.indices.add(Kind::Normal);
-        self.write(format_args!("vn {x} {y} {z}\n"));
+        self.normals.push(DVec3::new(x, y, z).as_vec3());
         Ok(())
     }
 
     fn face<'a>(&mut self, words: impl Iterator<Item = &'a str>) -> Result<(), ObjError> {
-        self.scan.plain.push('f');
-        let mut corners = 0;
+        let start = self.corners[0].len();
         for word in words {
             let place = Place { file: &self.scan.source, line: self.line };
             let [v, vt, vn] = self.indices.corner(word, place)?;
             self.scan.has_texture |= vt.is_some();
             self.scan.has_normals |= vn.is_some();
-            let [v, vt, vn] = [v.unwrap_or(0), after_zeros(vt), after_zeros(vn)];
-            self.corners.push(v);
-            self.write(format_args!(" {v}/{vt}/{vn}"));
-            corners += 1;
+            // Counted from 1: of the vertices, 1 is the first; of the others, the first stands for none.
+            for (places, index) in self.corners.iter_mut().zip([v.map(|v| v - 1), vt, vn]) {
+                places.push(index.unwrap_or(0) as usize);
+            }
         }
-        self.scan.plain.push('\n');
-        if corners < 3 {
-            return Err(self.error(format!("a face with {corners} corners"), "a face needs at least 3"));
+        let corners = start..self.corners[0].len();
+        if corners.len() < 3 {
+            let problem = format!("a face with {} corners", corners.len());
+            return Err(self.error(problem, "a face needs at least 3"));
         }
-        self.scan.faces.push(Face { line: self.line, material: self.material, smoothing: self.smoothing });
+        let (line, material, smoothing) = (self.line, self.material, self.smoothing);
+        self.scan.faces.push(Face { line, corners, material, smoothing });
         Ok(())
     }
 
@@ -265,19 +296,14 @@ impl Scanner {
             let remedy = "an OBJ file needs lines such as 'v 0 0 0' and 'f 1 2 3'";
             return Err(ObjError::new(&self.scan.source, None, problem, remedy));
         }
-        self.write_vertices();
+        let [vertices, texture, normals] = &self.corners;
+        let Attribute { values, indices } = Attribute::used(&self.vertices, vertices);
+        self.scan.origin = origin(values.iter().copied());
+        let values = values.iter().map(|p| (p - self.scan.origin).as_vec3()).collect();
+        self.scan.positions = Attribute { values, indices };
+        self.scan.texture = Attribute::used(&self.texture, texture);
+        self.scan.normals = Attribute::used(&self.normals, normals);
         Ok(self.scan)
-    }
-
-    /// Writes the vertices, last of all, since only now it is known where the mesh lies.
-    fn write_vertices(&mut self) {
-        let used = self.corners.iter().map(|index| self.vertices[*index as usize - 1]);
-        self.scan.origin = origin(used);
-        for p in std::mem::take(&mut self.vertices) {
-            // A vertex that no face uses may lie anywhere.
-            let p = (p - self.scan.origin).clamp(Vec3::MIN.as_dvec3(), Vec3::MAX.as_dvec3());
-            self.write(format_args!("v {} {} {}\n", p.x, p.y, p.z));
-        }
     }
 
     fn numbers<'a>(&self, words: impl Iterator<Item = &'a str>) -> Result<Vec<f64>, ObjError> {
@@ -296,15 +322,6 @@ impl Scanner {
     fn error(&self, problem: impl Into<String>, remedy: impl Into<String>) -> ObjError {
         Place { file: &self.scan.source, line: self.line }.error(problem, remedy)
     }
-
-    fn write(&mut self, words: std::fmt::Arguments<'_>) {
-        self.scan.plain.write_fmt(words).expect("a String takes all that is written");
-    }
-}
-
-/// The number in the plain text of a texture coordinate or normal: the zeros for corners without come first.
-fn after_zeros(index: Option<u64>) -> u64 {
-    index.map_or(1, |index| index + 1)
 }
 
 /// What a keyword that is left out stands for, if it is a known one.
