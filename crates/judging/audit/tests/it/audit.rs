@@ -6,7 +6,10 @@ use audit::{Audited, Report, audit};
 use course::{Example, Exercise, Misconception, Program, trial};
 use grader::{Build, Judge, Libraries};
 
-const SEEDS: u64 = 20;
+/// How many seeds each program is tried with.
+fn seeds() -> u64 {
+    testkit::effort(4, 20)
+}
 
 /// An audit of one exercise, in a folder of its own.
 fn audited(exercise: &Exercise) -> Report {
@@ -15,7 +18,7 @@ fn audited(exercise: &Exercise) -> Report {
     let folder = tempfile::tempdir().expect("a folder");
     let libraries = Libraries::build(&root, Build::of("worker")).expect("the libraries are built");
     let judge = Judge::in_folder(libraries, folder.path());
-    audit(&[exercise], &judge, SEEDS, &|_| ()).expect("a report")
+    audit(&[exercise], &judge, seeds(), &|_| ()).expect("a report")
 }
 
 /// An exercise of the course without worked examples and laws but these.
