@@ -58,6 +58,9 @@ fn a_signal_while_writing_leaves_no_temporary_file() {
     let desk = Desk::new();
     let mut caught = 0;
     for _ in 0..5 {
+        if caught == testkit::effort(1, 5) {
+            break;
+        }
         desk.put("out.exr", "old");
         // 12 MB: writing them takes long enough to be seen.
         let line = "render cycle --renderer zbuffer --samples 1 --size 1200x800 -o out.exr";

@@ -38,7 +38,9 @@ fn right_solutions_differ_in_no_pixel() {
     let mut wrong = Vec::new();
     for exercise in course::all() {
         for figure in figures_of(exercise) {
-            for program in [&exercise.reference].into_iter().chain(&exercise.variants) {
+            // By day the slide's solution, at night every right one.
+            let others = exercise.variants.iter().take(testkit::effort(0, usize::MAX));
+            for program in [&exercise.reference].into_iter().chain(others) {
                 let drawn = drawn(figure, exercise, program);
                 let who = format!("{} by {} on {}", exercise.name, program.name, figure.name);
                 assert!(drawn.trouble.is_none() && !drawn.drawings.is_empty(), "{who}: {:?}", drawn.trouble);
@@ -55,16 +57,21 @@ fn right_solutions_differ_in_no_pixel() {
 
 #[test]
 fn misconceptions_are_seen() {
+    // It shows only where gaze and up are almost parallel, which no worked example is.
+    const HIDDEN: &str = "compared_with_exactly_zero";
+    let of_each = testkit::effort(2, usize::MAX);
     let mut hidden = Vec::new();
     for exercise in course::all() {
         let figures = figures_of(exercise);
-        for misconception in &exercise.misconceptions {
+        for (place, misconception) in exercise.misconceptions.iter().enumerate() {
+            if place >= of_each && misconception.program.name != HIDDEN {
+                continue;
+            }
             let is_seen = |figure: &&Figure| differing(&drawn(figure, exercise, &misconception.program)) > 0;
             if !figures.iter().any(is_seen) {
                 hidden.push(format!("{}: {}", exercise.name, misconception.program.name));
             }
         }
     }
-    // It shows only where gaze and up are almost parallel, which no worked example is.
-    assert_eq!(hidden, ["camera_frame: compared_with_exactly_zero"]);
+    assert_eq!(hidden, [format!("camera_frame: {HIDDEN}")]);
 }

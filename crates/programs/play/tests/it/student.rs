@@ -98,7 +98,8 @@ fn names(answer: &Json) -> Vec<&str> {
 #[test]
 fn a_right_function_draws_every_exercise_without_a_difference() {
     let desk = Desk::new();
-    for exercise in course::all() {
+    // By day every fourth exercise: each program is compiled for itself.
+    for exercise in course::all().iter().step_by(testkit::effort(4, 1)) {
         desk.write(exercise, &exercise.submission(&exercise.reference).expect("its text"));
         let answer = desk.draw(exercise);
         assert_eq!(answer["state"], "drawn", "{}: {answer}", exercise.name);
