@@ -24,6 +24,8 @@ pub struct Examination {
     pub laws: Vec<Tried>,
     /// Calls that were answered, with the answers: what a diagnosis looks at.
     pub answered: Vec<(Vec<Value>, Value)>,
+    /// Places in `answered` of the calls that smaller counterexamples were sought with: that search goes where answers are odd.
+    pub sought: Vec<usize>,
     /// Whether the very first call said that nothing is there yet: `todo!()`.
     pub not_started: bool,
     /// The limit on all calls together, if they reached it. Then no law counts as tried: on which call that happens is chance.
@@ -100,7 +102,7 @@ pub fn counterexample(laws: &[Tried]) -> Option<(&Tried, &Counterexample)> {
 /// # Errors
 /// [`Fault`]: the one who judges cannot go on, or a law is at fault itself. Never the student's doing.
 pub fn examine(exercise: &Exercise, seed: u64, answerer: &mut dyn Answerer) -> Result<Examination, Fault> {
-    let mut trial = Trial { answerer, answered: Vec::new(), losses: 0, exhausted: None };
+    let mut trial = Trial { answerer, answered: Vec::new(), sought: Vec::new(), losses: 0, exhausted: None };
     let mut laws = vec![Tried {
         name: EXAMPLES,
         statement: "The worked examples come out as they should.",
@@ -114,7 +116,13 @@ pub fn examine(exercise: &Exercise, seed: u64, answerer: &mut dyn Answerer) -> R
         outcome: Outcome::NotRun,
     }));
     if trial.says_todo(&exercise.examples)? {
-        return Ok(Examination { laws, answered: Vec::new(), not_started: true, exhausted: None });
+        return Ok(Examination {
+            laws,
+            answered: Vec::new(),
+            sought: Vec::new(),
+            not_started: true,
+            exhausted: None,
+        });
     }
     laws[0].outcome = trial.examples(&exercise.examples)?;
     for (law, tried) in exercise.laws.iter().zip(&mut laws[1..]) {
@@ -130,12 +138,14 @@ pub fn examine(exercise: &Exercise, seed: u64, answerer: &mut dyn Answerer) -> R
             law.outcome = Outcome::NotRun;
         }
     }
-    Ok(Examination { laws, answered: trial.answered, not_started: false, exhausted: trial.exhausted })
+    let Trial { answered, sought, exhausted, .. } = trial;
+    Ok(Examination { laws, answered, sought, not_started: false, exhausted })
 }
 
 struct Trial<'a> {
     answerer: &'a mut dyn Answerer,
     answered: Vec<(Vec<Value>, Value)>,
+    sought: Vec<usize>,
     losses: u32,
     exhausted: Option<Late>,
 }
@@ -266,7 +276,9 @@ impl Trial<'_> {
             match look(case, &known)? {
                 Look::Ended(ended) => return Ok((known, ended)),
                 Look::Asks(question) => {
+                    let before = self.answered.len();
                     let mut replies = self.ask(std::slice::from_ref(&question))?;
+                    self.sought.extend(before..self.answered.len());
                     let reply = replies.pop().ok_or_else(|| Fault("no reply to a question".to_owned()))?;
                     known.push((question, reply));
                 }

@@ -2,8 +2,57 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
 
-use crate::desk::root;
+use crate::desk::{LAB, Said, root};
+
+const NAME: &str = "rotate_about_point";
+
+/// Makes a checkout with the program in it and all that the commands below need of the rest.
+fn check_out(place: &Path) {
+    for folder in ["exercises", "crates/worker", "target/debug"] {
+        fs::create_dir_all(place.join(folder)).expect("made");
+    }
+    fs::write(place.join("exercises/Cargo.toml"), "").expect("written");
+    fs::write(place.join("crates/worker/Cargo.toml"), "").expect("written");
+    fs::copy(LAB, program(place)).expect("copied");
+    in_checkout(place, &["reset", NAME]);
+}
+
+/// The program that was built in a checkout.
+fn program(place: &Path) -> PathBuf {
+    place.join(format!("target/debug/lab{}", std::env::consts::EXE_SUFFIX))
+}
+
+/// Runs the program of a checkout in that checkout, as cargo does not start it.
+fn in_checkout(place: &Path, words: &[&str]) -> Said {
+    let mut command = Command::new(program(place));
+    command.args(words).current_dir(place).stdin(Stdio::null());
+    for name in ["CARGO_MANIFEST_DIR", "LIGHTLAB_EXERCISES"] {
+        command.env_remove(name);
+    }
+    Said::from(command.output().expect("it runs")).done()
+}
+
+#[test]
+fn a_checkout_that_was_copied_or_renamed_works_on_its_own_files() {
+    let exercise = course::find(NAME).expect("an exercise");
+    let desk = tempfile::tempdir().expect("a folder");
+    let place = |name: &str| desk.path().join(name);
+    let [built, copied, renamed] = ["built", "copied", "renamed here"].map(place);
+    check_out(&built);
+    check_out(&copied);
+    fs::rename(&built, &renamed).expect("renamed");
+    for place in [&copied, &renamed] {
+        let file = place.join("exercises").join(exercise.path());
+        fs::write(&file, "// something else\n").expect("written");
+        in_checkout(place, &["reset", NAME]);
+        assert_eq!(fs::read_to_string(&file).expect("there"), exercise.stub, "{}", place.display());
+        in_checkout(place, &["render", "cycle", "--size", "8x8", "-o", "picture.png"]);
+        assert!(place.join("picture.png").is_file());
+    }
+    assert!(!built.exists(), "something was written where the checkout no longer is");
+}
 
 /// Sources of programs: not of tests, which are built where they run.
 fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
