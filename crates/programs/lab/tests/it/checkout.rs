@@ -10,11 +10,11 @@ const NAME: &str = "rotate_about_point";
 
 /// Makes a checkout with the program in it and all that the commands below need of the rest.
 fn check_out(place: &Path) {
-    for folder in ["exercises", "crates/worker", "target/debug"] {
+    for folder in ["exercises", "crates/judging/worker", "target/debug"] {
         fs::create_dir_all(place.join(folder)).expect("made");
     }
     fs::write(place.join("exercises/Cargo.toml"), "").expect("written");
-    fs::write(place.join("crates/worker/Cargo.toml"), "").expect("written");
+    fs::write(place.join("crates/judging/worker/Cargo.toml"), "").expect("written");
     fs::copy(LAB, program(place)).expect("copied");
     in_checkout(place, &["reset", NAME]);
 }
