@@ -44,9 +44,15 @@ impl Build {
     pub fn of(package: &'static str) -> Self {
         Self { package, profile: profile(), features: &[] }
     }
+
+    /// For tests: the libraries as `cargo test` of the whole workspace builds them, so that they are not built a second time. The features of
+    /// `lab` count, but its programs are not built.
+    pub fn of_the_workspace() -> Self {
+        Self { features: &["--package", "lab", "--lib"], ..Self::of("worker") }
+    }
 }
 
-/// Why there is no libraries.
+/// Why there are no libraries.
 #[derive(Debug, thiserror::Error)]
 pub enum LibrariesError {
     /// Cargo did not start.

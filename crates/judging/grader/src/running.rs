@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use course::{Fault, Late, Loss};
 use sandbox::{Calls, Confinement, Launcher, ResourceLimits};
-use worker::system::{self, Channel, Offer};
+use worker::system::{self, Backlog, Channel, Offer};
 use worker::wire::{self, Ready};
 
 use crate::captured_output::Stream;
@@ -46,6 +46,8 @@ pub(crate) struct Running {
 pub(crate) struct Timed {
     channel: Channel,
     pub(crate) meter: Meter,
+    /// The worker's standard output and error, as far as they are not read yet.
+    backlogs: Vec<Backlog>,
     /// Which limit the worker has reached, if reading failed for that.
     pub(crate) late: Option<Late>,
     /// Looks left until the worker must have begun.
@@ -56,13 +58,14 @@ pub(crate) struct Timed {
 }
 
 impl Timed {
-    fn new(channel: Channel, meter: Meter) -> io::Result<Self> {
+    fn new(channel: Channel, meter: Meter, backlogs: Vec<Backlog>) -> io::Result<Self> {
         channel.set_read_timeout(Some(LOOK))?;
         channel.set_write_timeout(Some(LOOK))?;
         let looks = TO_BEGIN.as_millis() / LOOK.as_millis();
         Ok(Self {
             channel,
             meter,
+            backlogs,
             late: None,
             to_begin: Some(looks as u32),
             pieces: 0,
@@ -89,13 +92,17 @@ impl Timed {
         Ok(())
     }
 
+    fn see(&mut self) -> Seen {
+        self.meter.look(self.backlogs.iter().any(Backlog::waits))
+    }
+
     fn look(&mut self) -> io::Result<()> {
         self.looked = Instant::now();
         if let Some(looks) = &mut self.to_begin {
             *looks = looks.checked_sub(1).ok_or(ErrorKind::TimedOut)?;
             return Ok(());
         }
-        match self.meter.look() {
+        match self.see() {
             Seen::Goes => Ok(()),
             Seen::Late(late) => {
                 self.late = Some(late);
@@ -189,6 +196,8 @@ impl Running {
             .stderr(Stdio::piped())
             .spawn()
             .map_err(|e| fault("the worker does not start", &e))?;
+        let backlogs = [child.stdout.as_ref().map(Backlog::of), child.stderr.as_ref().map(Backlog::of)];
+        let backlogs = backlogs.into_iter().flatten().collect::<Result<Vec<_>, _>>();
         let outputs = [
             child.stdout.take().map(|pipe| printed[0].follow(pipe)),
             child.stderr.take().map(|pipe| printed[1].follow(pipe)),
@@ -196,7 +205,8 @@ impl Running {
         let meter = Meter::new(child.id(), *limits, before);
         let begun = offer
             .accept(Instant::now() + TO_BEGIN)
-            .and_then(|channel| Ok((channel.try_clone()?, BufReader::new(Timed::new(channel, meter)?))));
+            .and_then(|channel| Ok((channel.try_clone()?, Timed::new(channel, meter, backlogs?)?)))
+            .map(|(channel, answers)| (channel, BufReader::new(answers)));
         match begun {
             Ok((channel, answers)) => {
                 Ok(Self { child, channel, answers, outputs: outputs.into_iter().flatten().collect() })
@@ -210,8 +220,8 @@ impl Running {
 
     /// Waits until it ends by itself, for as long as one call may take; `None` if it does not.
     pub(crate) fn settle(&mut self) -> Option<ExitStatus> {
-        let meter = &mut self.answers.get_mut().meter;
-        meter.begin();
+        let answers = self.answers.get_mut();
+        answers.meter.begin();
         let mut pauses = pauses();
         loop {
             match self.child.try_wait() {
@@ -222,7 +232,7 @@ impl Running {
             // So long a pause counts as a look; the short ones before it are over at once.
             let pause = pauses.next().unwrap_or(LOOK);
             thread::sleep(pause);
-            if pause == LOOK && meter.look() != Seen::Goes {
+            if pause == LOOK && answers.see() != Seen::Goes {
                 return None;
             }
         }

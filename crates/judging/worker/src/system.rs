@@ -143,6 +143,25 @@ mod here {
     pub fn signal(status: ExitStatus) -> Option<i32> {
         status.signal()
     }
+
+    /// A second handle on a pipe, which tells whether bytes in it wait for their reader.
+    #[derive(Debug)]
+    pub struct Backlog(OwnedFd);
+
+    impl Backlog {
+        /// Watches the reading end of a pipe.
+        ///
+        /// # Errors
+        /// There are no descriptors left.
+        pub fn of(pipe: &impl AsFd) -> io::Result<Self> {
+            pipe.as_fd().try_clone_to_owned().map(Self)
+        }
+
+        /// True if bytes wait to be read.
+        pub fn waits(&self) -> bool {
+            rustix::io::ioctl_fionread(&self.0).is_ok_and(|bytes| bytes > 0)
+        }
+    }
 }
 
 #[cfg(not(unix))]
@@ -260,10 +279,29 @@ mod here {
     pub fn signal(_status: ExitStatus) -> Option<i32> {
         None
     }
+
+    /// A second handle on a pipe; here nothing tells whether bytes wait in it.
+    #[derive(Debug)]
+    pub struct Backlog;
+
+    impl Backlog {
+        /// Watches nothing.
+        ///
+        /// # Errors
+        /// None.
+        pub fn of<T>(_pipe: &T) -> io::Result<Self> {
+            Ok(Self)
+        }
+
+        /// Always false.
+        pub fn waits(&self) -> bool {
+            false
+        }
+    }
 }
 
 pub use here::{
-    Channel, Offer, computed, end_with, is_out_of_time, limit_memory, lower_priority, open, signal,
+    Backlog, Channel, Offer, computed, end_with, is_out_of_time, limit_memory, lower_priority, open, signal,
 };
 
 /// The environment that a worker needs to behave alike each time.

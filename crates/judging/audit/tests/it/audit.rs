@@ -1,6 +1,7 @@
 //! Does an audit find what it looks for? On cheap exercises, on one whose laws are left out, and on one whose right answers are wrong.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
+use std::sync::LazyLock;
 
 use audit::{Audited, Report, audit};
 use course::{Example, Exercise, Misconception, Program, trial};
@@ -13,11 +14,12 @@ fn seeds() -> u64 {
 
 /// An audit of one exercise, in a folder of its own.
 fn audited(exercise: &Exercise) -> Report {
-    let root: PathBuf =
-        Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(3).expect("crates/judging/audit").to_owned();
+    static LIBRARIES: LazyLock<Libraries> = LazyLock::new(|| {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(3).expect("crates/judging/audit");
+        Libraries::build(root, Build::of_the_workspace()).expect("the libraries are built")
+    });
     let folder = tempfile::tempdir().expect("a folder");
-    let libraries = Libraries::build(&root, Build::of("worker")).expect("the libraries are built");
-    let judge = Judge::in_folder(libraries, folder.path());
+    let judge = Judge::in_folder(LIBRARIES.clone(), folder.path());
     audit(&[exercise], &judge, seeds(), &|_| ()).expect("a report")
 }
 

@@ -90,10 +90,12 @@ impl Workbench {
         fs::create_dir_all(&self.scratch).map_err(|e| {
             Failure::io("make the folder", &self.scratch, &e, "free some space, or make it writable")
         })?;
-        // A debug build is one for tests. What is built for tests of the whole workspace has other features than a build of this package alone, which
-        // would build everything a second time; the worker alone is soon built.
-        let package = if cfg!(debug_assertions) { "worker" } else { env!("CARGO_PKG_NAME") };
-        let build = Build { features: features(), ..Build::of(package) };
+        // A debug build is one for tests.
+        let build = if cfg!(debug_assertions) {
+            Build::of_the_workspace()
+        } else {
+            Build { features: features(), ..Build::of(env!("CARGO_PKG_NAME")) }
+        };
         let memory = self.scratch.join(format!("libraries-{}.json", build.profile));
         let libraries = Libraries::remembered(&self.root, build, &memory).map_err(|e| {
             Failure::new(e.to_string(), "see that `cargo build --release --package lab` succeeds")

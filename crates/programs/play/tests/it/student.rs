@@ -21,7 +21,9 @@ fn root() -> PathBuf {
 fn libraries() -> Libraries {
     static LIBRARIES: OnceLock<Libraries> = OnceLock::new();
     LIBRARIES
-        .get_or_init(|| Libraries::build(&root(), Build::of("worker")).expect("the libraries are built"))
+        .get_or_init(|| {
+            Libraries::build(&root(), Build::of_the_workspace()).expect("the libraries are built")
+        })
         .clone()
 }
 

@@ -35,8 +35,10 @@ fn judged(exercise: &course::Exercise, program: &Program) -> Verdict {
         of: it.points,
         result: result(exercise, &it.outcome),
     };
-    let looks_like =
-        diagnose(exercise, &examination.answered).filter(|_| !examination.passed()).map(|it| LooksLike {
+    let looks_like = (!examination.passed())
+        .then(|| diagnose(exercise, &examination.answered))
+        .flatten()
+        .map(|it| LooksLike {
             misconception: it.misconception.program.name.into(),
             what: it.misconception.looks_like.into(),
             help: it.misconception.help.into(),

@@ -45,7 +45,9 @@ pub(crate) fn root() -> PathBuf {
 fn libraries() -> Libraries {
     static LIBRARIES: OnceLock<Libraries> = OnceLock::new();
     LIBRARIES
-        .get_or_init(|| Libraries::build(&root(), Build::of("worker")).expect("the libraries are built"))
+        .get_or_init(|| {
+            Libraries::build(&root(), Build::of_the_workspace()).expect("the libraries are built")
+        })
         .clone()
 }
 
