@@ -18,22 +18,26 @@ const RIGHT: &str = "Mat3::from_translation(p) * Mat3::from_angle(theta) * Mat3:
 
 /// Judges files one after another, and then an honest one, which must come out as if nothing had been.
 fn judged(sources: &[Vec<u8>]) -> Vec<Judgement> {
-    followed_by_an_honest_one(|bench| sources.iter().map(|source| bench.judge(source)).collect())
+    let Some(bench) = Bench::confined() else { return Vec::new() };
+    let judgements = sources.iter().map(|source| bench.judge(source)).collect();
+    is_honest(&bench.judge(&in_function(RIGHT)));
+    judgements
 }
 
 /// The same of functions with these bodies, which are compiled together. Each is asked in a process of its own all the same.
 fn judged_bodies(bodies: &[&str]) -> Vec<Judgement> {
-    followed_by_an_honest_one(|bench| bench.judge_bodies(bodies))
+    let Some(bench) = Bench::confined() else { return Vec::new() };
+    let with_honest: Vec<&str> = bodies.iter().copied().chain([RIGHT]).collect();
+    let mut judgements = bench.judge_bodies(&with_honest);
+    is_honest(&judgements.pop().expect("the last one"));
+    judgements
 }
 
-fn followed_by_an_honest_one(judge: impl Fn(&Bench) -> Vec<Judgement>) -> Vec<Judgement> {
-    let Some(bench) = Bench::confined() else { return Vec::new() };
-    let judgements = judge(&bench);
-    let after = bench.judge(&in_function(RIGHT));
+/// Asserts that nothing of what came before harmed a right program.
+fn is_honest(after: &Judgement) {
     assert_eq!(after.outcome, Outcome::Passed, "the one after it: {after:?}");
     assert_eq!(after.points, after.of);
     assert!(after.printed.out.text.is_empty() && after.printed.err.text.is_empty(), "{:?}", after.printed);
-    judgements
 }
 
 /// Asserts that each of these expressions, which are true where an attack succeeds, is false: where one succeeds, the answers are right.
