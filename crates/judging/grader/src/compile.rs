@@ -21,8 +21,8 @@ pub struct Compiler {
     pub libraries: Libraries,
     /// Names of files are shown relative to this folder.
     pub root: PathBuf,
-    /// Whether rustc's messages are coloured.
-    pub colour: bool,
+    /// Whether rustc's messages are colored.
+    pub color: bool,
 }
 
 /// A file and the exercise whose function is in it.
@@ -114,7 +114,7 @@ impl Compiler {
             .args(["-F", "unsafe_code", "-A", "warnings"])
             // A text in a file may look like a message of the compiler; in this form it cannot.
             .args(["--error-format", "json"])
-            .args(if self.colour { &["--json", "diagnostic-rendered-ansi"][..] } else { &[] })
+            .args(if self.color { &["--json", "diagnostic-rendered-ansi"][..] } else { &[] })
             .args(self.remapped(parts, &folder))
             .args(self.libraries.arguments())
             .arg("-o")

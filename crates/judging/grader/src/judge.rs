@@ -29,7 +29,7 @@ pub struct Judge {
     pub limits: Limits,
     /// A folder for what is made on the way; each judgement uses a folder of its own in it, and removes it.
     pub scratch: PathBuf,
-    /// Where the libraries is remembered, and how it is built again after an update of Rust; `None` if it is not.
+    /// Where the libraries are remembered, and how they are built again after an update of Rust; `None` if they are not.
     pub memory: Option<(PathBuf, Build)>,
     /// Confines rustc and workers; `None` for one's own files.
     pub sandbox: Option<Launcher>,
@@ -39,7 +39,7 @@ impl Judge {
     /// One who does all its work in `folder`, with the usual limits and without a sandbox.
     pub fn in_folder(libraries: Libraries, folder: &Path) -> Self {
         Self {
-            compiler: Compiler { libraries, root: folder.to_owned(), colour: false },
+            compiler: Compiler { libraries, root: folder.to_owned(), color: false },
             limits: Limits::default(),
             scratch: folder.join("scratch"),
             memory: None,

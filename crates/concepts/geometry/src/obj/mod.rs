@@ -83,8 +83,9 @@ pub fn parse(
     let numbers = library.numbers_of(&scan, &mut warnings);
     let materials =
         polygons.faces.iter().map(|face| scan.faces[*face].material.map_or(0, |used| numbers[used]));
-    let mesh = mesh_of(&scan, &polygons.corners, materials.collect())?;
+    let materials = materials.collect();
     let (origin, smoothing) = (scan.origin, smoothing_of(&scan, &polygons.faces));
+    let mesh = mesh_of(scan, &polygons.corners, materials)?;
     Ok(Import { mesh, origin, materials: library.materials, smoothing, warnings: warnings.into_vec() })
 }
 
@@ -97,22 +98,21 @@ fn smoothing_of(scan: &Scan, faces: &[usize]) -> Vec<Option<u32>> {
 }
 
 /// The mesh whose triangles have these corners, each a place in the scan's lists of indices.
-fn mesh_of(scan: &Scan, corners: &[[usize; 3]], materials: Vec<u32>) -> Result<Mesh, ObjError> {
-    let mut mesh = Mesh::new(scan.positions.values.clone(), look_up(&scan.positions.indices, corners));
+fn mesh_of(scan: Scan, corners: &[[usize; 3]], materials: Vec<u32>) -> Result<Mesh, ObjError> {
+    let Indexed { values, triangles } = indexed(scan.positions, corners);
+    let mut mesh = Mesh::new(values, triangles);
     if scan.has_normals {
-        mesh = mesh.and_then(|mesh| mesh.with_normals(indexed(&scan.normals, corners)));
+        mesh = mesh.and_then(|mesh| mesh.with_normals(indexed(scan.normals, corners)));
     }
     if scan.has_texture {
-        mesh = mesh.and_then(|mesh| mesh.with_texture_coordinates(indexed(&scan.texture, corners)));
+        mesh = mesh.and_then(|mesh| mesh.with_texture_coordinates(indexed(scan.texture, corners)));
     }
     mesh.and_then(|mesh| mesh.with_materials(materials))
         .map_err(|reason| ObjError::new(&scan.source, None, reason.to_string(), "export the mesh anew"))
 }
 
-fn indexed<T: Copy>(attribute: &Attribute<T>, corners: &[[usize; 3]]) -> Indexed<T> {
-    Indexed { values: attribute.values.clone(), triangles: look_up(&attribute.indices, corners) }
-}
-
-fn look_up(indices: &[u32], corners: &[[usize; 3]]) -> Vec<[u32; 3]> {
-    corners.iter().map(|triangle| triangle.map(|corner| indices[corner])).collect()
+/// The values with one index for each corner of each triangle.
+fn indexed<T>(attribute: Attribute<T>, corners: &[[usize; 3]]) -> Indexed<T> {
+    let triangles = corners.iter().map(|triangle| triangle.map(|corner| attribute.indices[corner]));
+    Indexed { triangles: triangles.collect(), values: attribute.values }
 }

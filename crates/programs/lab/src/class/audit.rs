@@ -22,7 +22,7 @@ pub(crate) fn run(asked: &AuditArgs) -> Result<Outcome, Failure> {
     let mut exercises: Vec<&Exercise> = meant.into_iter().map(|meant| meant.exercise).collect();
     exercises.dedup_by_key(|exercise| exercise.name);
     let mut judge = bench.judge(None)?;
-    judge.compiler.colour = false;
+    judge.compiler.color = false;
     let done = AtomicUsize::new(0);
     let progress = |audited: &Audited| {
         let number = done.fetch_add(1, Ordering::Relaxed) + 1;

@@ -114,7 +114,7 @@ fn threads(jobs: Option<usize>) -> Result<rayon::ThreadPool, Failure> {
 fn judge(bench: &Workbench, scratch: &Path, launcher: Option<Launcher>) -> Result<Judge, Failure> {
     let mut judge = bench.judge(None)?;
     judge.scratch = scratch.to_owned();
-    judge.compiler.colour = false;
+    judge.compiler.color = false;
     judge.sandbox = launcher;
     judge.rehearse().map_err(|what| {
         Failure::new(format!("nobody's code can be judged here: {what}"), "see what `cargo lab doctor` says")

@@ -103,7 +103,7 @@ impl Workbench {
         let mut limits = Limits::default();
         limits.time = limit.unwrap_or(limits.time);
         limits.whole = limits.whole.max(3 * limits.time);
-        let compiler = Compiler { libraries, root: self.root.clone(), colour: ink::on() };
+        let compiler = Compiler { libraries, root: self.root.clone(), color: ink::on() };
         Ok(Judge {
             compiler,
             limits,

@@ -20,7 +20,7 @@ const RIGHT: &str = "Mat3::from_translation(p) * Mat3::from_angle(theta) * Mat3:
 fn judged(sources: &[Vec<u8>]) -> Vec<Judgement> {
     let Some(bench) = Bench::confined() else { return Vec::new() };
     let judgements = sources.iter().map(|source| bench.judge(source)).collect();
-    is_honest(&bench.judge(&in_function(RIGHT)));
+    assert_honest(&bench.judge(&in_function(RIGHT)));
     judgements
 }
 
@@ -29,12 +29,12 @@ fn judged_bodies(bodies: &[&str]) -> Vec<Judgement> {
     let Some(bench) = Bench::confined() else { return Vec::new() };
     let with_honest: Vec<&str> = bodies.iter().copied().chain([RIGHT]).collect();
     let mut judgements = bench.judge_bodies(&with_honest);
-    is_honest(&judgements.pop().expect("the last one"));
+    assert_honest(&judgements.pop().expect("the last one"));
     judgements
 }
 
 /// Asserts that nothing of what came before harmed a right program.
-fn is_honest(after: &Judgement) {
+fn assert_honest(after: &Judgement) {
     assert_eq!(after.outcome, Outcome::Passed, "the one after it: {after:?}");
     assert_eq!(after.points, after.of);
     assert!(after.printed.out.text.is_empty() && after.printed.err.text.is_empty(), "{:?}", after.printed);
